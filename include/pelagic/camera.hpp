@@ -1,0 +1,21 @@
+/// One view of the world.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace pelagic {
+
+/// Mean radius of the Earth [m].
+inline constexpr double kEarthRadius = 6371000;
+
+/// World space is right-handed, y up, metres. The still water is y = 0 below the camera and falls away with the Earth's
+/// curvature.
+struct Camera {
+  glm::dvec3 position{0, 3, 0};  ///< Eye in the world [m]; |x|, |z| <= 1e9, y -1e4 … 1e5.
+  glm::mat3 rotation{1};         ///< World to view directions, orthonormal.
+  /// View to clip space, invertible, as the host uses it (any y direction). Perspective, off-centre allowed.
+  glm::mat4 projection{1};
+  bool reversedDepth = true;  ///< True: nearer is greater (preferred, with infinite far plane). False: nearer is less.
+};
+
+}  // namespace pelagic

@@ -1,0 +1,88 @@
+/// The composite stage: deferred shading of sea and sky over the host's picture, in compute.
+#pragma once
+
+#include <optional>
+#include <pelagic/sky.hpp>
+#include <pelagic/surface.hpp>
+
+namespace pelagic {
+
+/// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: clear ocean water (Jerlov I to IB).
+struct WaterMedium {
+  glm::vec3 absorption{0.465f, 0.0600f, 0.0150f};     ///< a [1/m], 1e-4 … 100.
+  glm::vec3 backscatter{0.0010f, 0.0016f, 0.0034f};   ///< b_b [1/m], 0 … 100.
+};
+Result<void> validate(const WaterMedium& medium);
+
+/// What the host's picture needs from the sea, bound once per view. All images have the view's extent.
+struct CompositeTargets {
+  /// HDR out, rgba16f or rgba32f with STORAGE usage. `before.layout` may be UNDEFINED: every pixel is written.
+  HostImage output;
+  /// Host's scene: colour (linear, sampled) and depth (d32f, sampled, in the camera's convention). Both or neither.
+  /// An object nearer than the water hides it and one behind it is hidden; where depth is the far value there is sky.
+  std::optional<HostImage> color;
+  std::optional<HostImage> depth;
+  /// Optional outputs, STORAGE usage, every pixel written:
+  std::optional<HostImage> normal;         ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
+  std::optional<HostImage> slopeVariance;  ///< rg16f or rg32f: unresolved slope variance along world x and z [1].
+  std::optional<HostImage> mergedDepth;    ///< r32f: depth of sea and host merged, in the camera's convention.
+};
+
+/// Pipelines shared by all views. Move-only; one thread at a time.
+class Composite {
+ public:
+  static Result<Composite> create(Device& device);
+  Composite(Composite&&) noexcept;
+  Composite& operator=(Composite&&) noexcept;
+  ~Composite();
+
+ private:
+  friend class CompositeView;
+  struct Impl;
+  explicit Composite(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One view's bindings. Move-only; must not outlive the objects it was created from.
+class CompositeView {
+ public:
+  /// Errors: invalidArgument when an extent or format differs from what CompositeTargets says.
+  static Result<CompositeView> create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
+                                      const WaterBuffer& water, const CompositeTargets& targets);
+  CompositeView(CompositeView&&) noexcept;
+  CompositeView& operator=(CompositeView&&) noexcept;
+  ~CompositeView();
+
+  /// Shades the water buffer. Every host image goes from its `before` to its `after` state.
+  void record(VkCommandBuffer commands, const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
+              Timings* timings = nullptr) noexcept;
+
+ private:
+  struct Impl;
+  explicit CompositeView(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct ToneMapInfo {
+  HostImage input;   ///< HDR, rgba16f or rgba32f, SAMPLED usage.
+  HostImage output;  ///< rgba8 (unorm, sRGB-encoded by the pass) with STORAGE usage; same extent.
+};
+
+/// The optional last pass: exposure, a filmic curve, sRGB encoding and dithering to 8 bits. Move-only.
+class ToneMap {
+ public:
+  static Result<ToneMap> create(Device& device, const ToneMapInfo& info);
+  ToneMap(ToneMap&&) noexcept;
+  ToneMap& operator=(ToneMap&&) noexcept;
+  ~ToneMap();
+
+  /// `exposure` in stops (EV): radiance is multiplied by 2^exposure before the curve; -32 … 32, clamped.
+  void record(VkCommandBuffer commands, float exposure, Timings* timings = nullptr) noexcept;
+
+ private:
+  struct Impl;
+  explicit ToneMap(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,23 @@
+// How shaders find the sea in the wave maps: a uniform (or storage) block, filled by pelagic::waveSampling().
+#ifndef PELAGIC_SHADER_WAVE_SAMPLING_H
+#define PELAGIC_SHADER_WAVE_SAMPLING_H
+#include "pelagic/shader/types.h"
+
+PELAGIC_SHADER_BEGIN
+
+struct WaveSampling {
+  // Per cascade: x 1/L [1/m], yz texture coordinate of the origin (the texel offset included), w L [m].
+  vec4 placement[8];
+  // Expected slope covariance of each cascade: x of dh/dx, y of dh/dz, z of both [1].
+  vec4 slopeCovariance[8];
+  // Slope covariance that no cascade resolves, as above; w standard deviation of the elevation [m].
+  vec4 unresolved;
+  uint cascades;
+  uint size;         // samples along a side
+  float choppiness;  // [1]
+  float maxLod;      // index of the last mip
+};
+
+PELAGIC_SHADER_END
+
+#endif

@@ -1,0 +1,57 @@
+/// The sky stage: sun, clear sky after Hillaire (2020), CIE overcast, and the light that the water needs from them.
+/// Radiance is in units of the extraterrestrial solar irradiance per steradian, per linear Rec.709 channel: above the
+/// air the sun's irradiance is (1,1,1), its disc has the radiance 1/6.8e-5 = 1.46e4, which half floats hold.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <pelagic/device.hpp>
+#include <pelagic/image.hpp>
+#include <pelagic/timings.hpp>
+
+namespace pelagic {
+
+/// Angular radius of the sun's disc [rad].
+inline constexpr double kSunAngularRadius = 0.004675;
+
+struct SkyState {
+  double sunElevation = 0.6;  ///< Above the horizontal [rad], -pi/2 … pi/2.
+  double sunAzimuth = 0.0;    ///< Toward the sun, from +x turning to +z [rad], finite.
+  double overcast = 0.0;      ///< 0 clear … 1 CIE overcast sky without a sun [1].
+  double haze = 1.0;          ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
+};
+Result<void> validate(const SkyState& state);
+
+/// The maps of the sky. All 2-D, one layer, linear filtering, rest in kShaderRead.
+struct SkyMaps {
+  /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps), v = 0.5 + 0.5 sign(e) sqrt(|e|/(pi/2))
+  /// for elevation e, which spends texels on the horizon. Radiance of sky as seen from sea level, without the sun's disc.
+  MapView radiance;
+  /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
+  /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.
+  MapView environment;
+  /// The SkyLight block of shaders/shared/sky_light.h, a storage buffer; resting state: shader reads.
+  VkBuffer light = VK_NULL_HANDLE;
+  VkDeviceSize lightSize = 0;
+};
+
+/// Move-only; one thread at a time.
+class Sky {
+ public:
+  static Result<Sky> create(Device& device, const SkyState& state);
+  Sky(Sky&&) noexcept;
+  Sky& operator=(Sky&&) noexcept;
+  ~Sky();
+
+  /// Takes effect with the next record(). On error nothing changes.
+  Result<void> setState(const SkyState& state);
+  /// Recomputes the maps when the state changed since the last call, else records nothing.
+  void record(VkCommandBuffer commands, Timings* timings = nullptr) noexcept;
+  SkyMaps maps() const noexcept;
+
+ private:
+  struct Impl;
+  explicit Sky(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelagic

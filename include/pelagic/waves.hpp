@@ -1,0 +1,116 @@
+/// The wave stage: spectrum, FFT cascades, foam history and filtered maps. Usable without the other stages.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <pelagic/device.hpp>
+#include <pelagic/image.hpp>
+#include <pelagic/sea_state.hpp>
+#include <pelagic/spectrum.hpp>
+#include <pelagic/timings.hpp>
+
+namespace pelagic {
+
+inline constexpr std::uint32_t kMaxCascades = 8;
+
+/// One FFT patch: an axis-aligned square of the sea, repeated.
+struct Cascade {
+  double length = 0;  ///< L [m]; sample (i,j) lies at x = j L/N, z = i L/N.
+  double kMin = 0;    ///< The cascade holds the modes with kMin <= |k| < kMax [rad/m]; no other cascade does.
+  double kMax = 0;
+};
+
+/// How the wave-number plane is cut up. Fixed when a simulation is created.
+struct WaveLayout {
+  std::uint32_t size = 256;  ///< N: samples along each side of every patch, a power of two, 64 … 1024.
+  std::uint32_t count = 4;   ///< Cascades, 1 … kMaxCascades, longest first.
+  std::array<Cascade, kMaxCascades> cascades{};
+};
+
+/// The layout for the strongest sea a simulation is to hold: longest patch 8 peak wavelengths of its longest train,
+/// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational.
+Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count = 4, std::uint32_t size = 256);
+
+enum class MapPrecision {
+  half,    ///< 16-bit float maps: for pictures.
+  single,  ///< 32-bit float maps: for data; twice the memory and store time.
+};
+
+struct WavesInfo {
+  SeaState sea;
+  WaveLayout layout;
+  /// Loop period T [s], 1 … 2^22. Frequencies are multiples of 1/T: the sea repeats exactly after T.
+  double loopPeriod = 4194304;
+  MapPrecision precision = MapPrecision::half;
+  /// Recorded command buffers that may be unfinished at a time, 1 … 4.
+  std::uint32_t framesInFlight = 2;
+};
+
+/// The maps of the sea at one time: 2-D arrays, layer = cascade, row = z, column = x, repeating; texel (i,j)'s centre,
+/// at texture coordinate ((j+0.5)/N, (i+0.5)/N), is the point x = j L/N, z = i L/N. All have a full mip chain of box
+/// filters. Sum over cascades. Derivatives are taken over the undisplaced plane: P = (x+Dx, h, z+Dz).
+struct WaveMaps {
+  MapView displacement;  ///< RGBA: Dx, h, Dz [m], Jacobian of this cascade alone (1 + dDx/dx)(1 + dDz/dz) - (dDz/dx)^2.
+  MapView gradient;      ///< RGBA: dh/dx, dh/dz, dDx/dx, dDz/dz [1].
+  MapView moments;       ///< RGBA: variance of dh/dx, of dh/dz, their covariance, within the texel [1]; dDz/dx [1].
+  MapView foam;          ///< R: foam of this cascade, 0 … 1 (1: breaking now; falls linearly over kFoamLifetime).
+  /// As `displacement`, of the record call before the last one; for motion vectors.
+  MapView previousDisplacement;
+
+  WaveLayout layout;
+  double windDirection = 0;  ///< [rad], as in SeaState.
+  /// Slope variance of the real sea that no cascade resolves, along and across the wind [1]: Cox & Munk's total less
+  /// what the grid holds, at least the spectrum's own tail.
+  SlopeVariance unresolved;
+  /// Expected slope variance of each cascade along x, along z and their covariance [1].
+  std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
+  /// Standard deviation of the elevation [m], Hs/4 on the grid; no crest is expected above 6 of them.
+  double elevationDeviation = 0;
+  double choppiness = 1;
+};
+
+/// How long foam lives after a crest broke [s].
+inline constexpr double kFoamLifetime = 8;
+
+/// What the sea asked for has become on the grid.
+struct SeaReport {
+  double targetHeight = 0;  ///< Hs of the spectrum [m].
+  double gridHeight = 0;    ///< Expected Hs of the grid's modes [m].
+  double peakPeriod = 0;    ///< Tp [s].
+  SlopeVariance target;     ///< Cox & Munk [1].
+  SlopeVariance grid;       ///< Expected of the grid's modes [1].
+  SlopeVariance unresolved;
+  double whitecaps = 0;  ///< Target whitecap fraction [1].
+  /// Largest relative change of a mode's frequency by the loop period, pi / (T w) at most [1].
+  double frequencyError = 0;
+};
+
+/// Owns the spectrum, the FFT pipelines and the maps. Move-only; one thread at a time.
+class Waves {
+ public:
+  static Result<Waves> create(Device& device, const WavesInfo& info);
+  Waves(Waves&&) noexcept;
+  Waves& operator=(Waves&&) noexcept;
+  ~Waves();
+
+  /// Replaces the sea; lengths, random numbers and phases stay, modes are re-weighted. Takes effect with the next
+  /// record(). CPU work only. On error nothing changes.
+  Result<void> setSea(const SeaState& sea);
+  /// Records the whole stage for `time` [s] (any finite value, any order); not within rendering. Before: the maps rest
+  /// in kShaderRead; after: again, with the new sea visible to every later shader read on the queue.
+  void record(VkCommandBuffer commands, double time, Timings* timings = nullptr) noexcept;
+
+  /// The maps as of the last record(); valid until the next one. Views stay the same two sets in turn:
+  /// `displacement` and `previousDisplacement` change places at each record().
+  WaveMaps maps() const noexcept;
+  SeaReport report() const noexcept;
+  /// Expected E|h(k)|^2 [m^2] of every mode of a cascade before any random number, N x N in FFT order, row = z.
+  std::vector<double> modeVariance(std::uint32_t cascade) const;
+
+ private:
+  struct Impl;
+  explicit Waves(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelagic

@@ -1,0 +1,40 @@
+/// The spectrum on the grid: what the GPU evolves.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <pelagic/waves.hpp>
+#include <vector>
+
+namespace pelagic {
+
+/// What the evolve pass knows of a mode besides its amplitude (16-byte std430 pairs of it and `amplitude` below).
+struct ModeConstants {
+  std::uint32_t cycles = 0;  ///< n: the mode turns n times per loop period; 0 where the mode does not exist.
+  float chop = 0;            ///< choppiness coth(k h) / k [m]; D = i k chop h.
+};
+
+/// All modes of one cascade, N x N in FFT order, row = z.
+struct CascadeModes {
+  /// (Re h0(k), Im h0(k), Re conj h0(-k), Im conj h0(-k)) [m].
+  std::vector<glm::vec4> amplitude;
+  std::vector<ModeConstants> constants;
+  /// Expected E|h(k)|^2 = [Psi(k) + Psi(-k)]/2 dk^2 [m^2].
+  std::vector<double> variance;
+};
+
+/// Deterministic in (seed, cascade, mode) on every machine. DC, the Nyquist row and column, and modes outside
+/// [kMin, kMax) are zero.
+CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod);
+
+/// Phase of n cycles per loop at time t: 2 pi frac(n t / T) with the 64-bit fraction of t/T, exact for any t.
+std::uint64_t loopFraction(double time, double loopPeriod) noexcept;
+
+/// Expected elevation variance [m^2] and slope covariance (xx, zz, xz) of a cascade's modes.
+struct CascadeMoments {
+  double elevation = 0;
+  glm::dvec3 slopes{0};
+};
+CascadeMoments momentsOf(const CascadeModes& modes, const Cascade& cascade, std::uint32_t size);
+
+}  // namespace pelagic
