@@ -42,7 +42,7 @@ class Surface {
 /// One view's targets and geometry buffers. Move-only; must not outlive its Surface or the maps.
 class SurfaceView {
  public:
-  /// `maps`: of the simulation that is to be drawn, its two displacement maps in either order.
+  /// `maps`: of the simulation that is to be drawn, its `displacementPair` is what the view binds.
   /// `extent`: 1 … 16384 each.
   static Result<SurfaceView> create(Surface& surface, const WaveMaps& maps, VkExtent2D extent);
   SurfaceView(SurfaceView&&) noexcept;

@@ -56,6 +56,10 @@ struct WaveMaps {
   MapView foam;          ///< R: foam of this cascade, 0 … 1 (1: breaking now; falls linearly over kFoamLifetime).
   /// As `displacement`, of the record call before the last one; for motion vectors.
   MapView previousDisplacement;
+  /// The two images that `displacement` and `previousDisplacement` are taken from, in an order that never changes: what
+  /// a view binds when it is created. `previousDisplacement` may be equal to `displacement` until two times are
+  /// recorded.
+  std::array<MapView, 2> displacementPair;
 
   WaveLayout layout;
   double windDirection = 0;  ///< [rad], as in SeaState.
