@@ -1,0 +1,35 @@
+#include <cmath>
+#include <gpu/context.hpp>
+#include <numbers>
+#include <pelagic/waves.hpp>
+
+namespace pelagic {
+
+Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count, std::uint32_t size) {
+  PELAGIC_CHECK(validate(strongest));
+  if (count < 1 || count > kMaxCascades) {
+    return gpu::reject("the number of cascades is " + std::to_string(count) + ", it must lie in 1 … " +
+                       std::to_string(kMaxCascades));
+  }
+  if (size < 64 || size > 1024 || (size & (size - 1)) != 0) {
+    return gpu::reject("the cascade size is " + std::to_string(size) + ", it must be a power of two in 64 … 1024");
+  }
+  // Outer edge at 0.7 of the Nyquist mode; the next patch is shorter by a ratio that puts the same wave number at its
+  // mode >= 16. The factor e/2.8 makes every ratio of lengths irrational, so that the sum of all patches never repeats.
+  const double outerMode = 0.7 * 0.5 * size;
+  const double ratio = outerMode / 16 * (std::numbers::e / 2.8);
+  WaveLayout layout;
+  layout.size = size;
+  layout.count = count;
+  double length = 8 * longestPeakWavelength(strongest);
+  double inner = 0;
+  for (std::uint32_t c = 0; c < count; ++c) {
+    const double outer = outerMode * 2 * std::numbers::pi / length;
+    layout.cascades[c] = {length, inner, outer};
+    inner = outer;
+    length /= ratio;
+  }
+  return layout;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,57 @@
+#include <cmath>
+#include <gpu/context.hpp>
+#include <sstream>
+
+#include <pelagic/sea_state.hpp>
+
+namespace pelagic {
+namespace {
+
+struct Field {
+  const char* name;
+  double value, low, high;
+  const char* unit;
+};
+
+Result<void> check(const std::string& owner, const Field& field) {
+  if (field.value >= field.low && field.value <= field.high) return {};
+  std::ostringstream text;
+  text << owner << "::" << field.name << " is " << field.value << ", it must lie in " << field.low << " … "
+       << field.high;
+  if (*field.unit) text << ' ' << field.unit;
+  return gpu::reject(text.str());
+}
+
+}  // namespace
+
+Result<void> validate(const SeaState& sea) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kAnyAngle = 1e6;  // finite, and small enough to keep its fraction of a turn
+  const Field fields[] = {
+      {"windSpeed", sea.windSpeed, 0.1, 60, "m/s"}, {"windDirection", sea.windDirection, -kAnyAngle, kAnyAngle, "rad"},
+      {"fetch", sea.fetch, 100, 1e7, "m"},          {"depth", sea.depth, 0.5, kInfinity, "m"},
+      {"choppiness", sea.choppiness, 0, 2, ""},
+  };
+  for (const Field& field : fields) PELAGIC_CHECK(check("SeaState", field));
+  if (sea.spectrum < Spectrum::phillips || sea.spectrum > Spectrum::tma) {
+    return gpu::reject("SeaState::spectrum is " + std::to_string(static_cast<int>(sea.spectrum)) +
+                       ", it must be one of the enumerators");
+  }
+  if (sea.spreading < Spreading::cos2 || sea.spreading > Spreading::donelanBanner) {
+    return gpu::reject("SeaState::spreading is " + std::to_string(static_cast<int>(sea.spreading)) +
+                       ", it must be one of the enumerators");
+  }
+  for (std::size_t i = 0; i < sea.swell.size(); ++i) {
+    const Swell& swell = sea.swell[i];
+    const Field trains[] = {
+        {"significantHeight", swell.significantHeight, 1e-3, 20, "m"},
+        {"peakPeriod", swell.peakPeriod, 1, 30, "s"},
+        {"direction", swell.direction, -kAnyAngle, kAnyAngle, "rad"},
+        {"spread", swell.spread, 1, 200, ""},
+    };
+    for (const Field& field : trains) PELAGIC_CHECK(check("SeaState::swell[" + std::to_string(i) + "]", field));
+  }
+  return {};
+}
+
+}  // namespace pelagic

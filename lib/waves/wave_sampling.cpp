@@ -1,0 +1,29 @@
+#include <cmath>
+#include <pelagic/wave_sampling.hpp>
+
+namespace pelagic {
+
+shader::WaveSampling waveSampling(const WaveMaps& maps, const glm::dvec2& origin) noexcept {
+  shader::WaveSampling sampling{};
+  const double halfTexel = 0.5 / maps.layout.size;
+  for (std::uint32_t c = 0; c < maps.layout.count; ++c) {
+    const double length = maps.layout.cascades[c].length;
+    const glm::dvec2 turns = origin / length;
+    const glm::dvec2 offset = turns - glm::floor(turns) + halfTexel;
+    sampling.placement[c] = glm::vec4(glm::dvec4(1 / length, offset.x, offset.y, length));
+    sampling.slopeCovariance[c] = glm::vec4(glm::vec3(maps.slopeCovariance[c]), 0);
+  }
+  // From wind axes to world axes.
+  const double c = std::cos(maps.windDirection);
+  const double s = std::sin(maps.windDirection);
+  const auto& [up, cross] = maps.unresolved;
+  sampling.unresolved = glm::vec4(glm::dvec4(up * c * c + cross * s * s, up * s * s + cross * c * c,
+                                             (up - cross) * c * s, maps.elevationDeviation));
+  sampling.cascades = maps.layout.count;
+  sampling.size = maps.layout.size;
+  sampling.choppiness = static_cast<float>(maps.choppiness);
+  sampling.maxLod = static_cast<float>(maps.displacement.mips - 1);
+  return sampling;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "waves/modes.hpp"
+
+namespace {
+
+using namespace pelagic;
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+WaveLayout layoutOf(const SeaState& sea, std::uint32_t count = 4, std::uint32_t size = 256) {
+  return waveLayout(sea, count, size).value();
+}
+
+TEST(Layout, PartitionsTheWaveNumbers) {
+  const SeaState sea;
+  for (const std::uint32_t size : {64u, 256u, 1024u}) {
+    const WaveLayout layout = layoutOf(sea, 4, size);
+    EXPECT_NEAR(layout.cascades[0].length, 8 * longestPeakWavelength(sea), 1e-9);
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const Cascade& patch = layout.cascades[c];
+      const double mode = kTwoPi / patch.length;
+      EXPECT_NEAR(patch.kMax / mode, 0.7 * size / 2, 1e-9 * size);
+      if (c == 0) continue;
+      EXPECT_EQ(patch.kMin, layout.cascades[c - 1].kMax);
+      EXPECT_GE(patch.kMin / mode, 16);
+    }
+  }
+}
+
+TEST(Layout, RefusesWhatItCannotHold) {
+  EXPECT_EQ(waveLayout({}, 0).error().message, "the number of cascades is 0, it must lie in 1 … 8");
+  EXPECT_EQ(waveLayout({}, 4, 200).error().message, "the cascade size is 200, it must be a power of two in 64 … 1024");
+}
+
+TEST(Modes, CarryTheSpectrumsEnergy) {
+  SeaState sea;
+  sea.windDirection = 0.4;
+  const WaveLayout layout = layoutOf(sea);
+  const double dk = kTwoPi / layout.cascades[1].length;
+  const CascadeModes modes = makeModes(sea, layout, 1, 4194304);
+  const int mx = 20, mz = -30;
+  const double psi = waveNumberSpectrum(sea, mx * dk, mz * dk);
+  const double opposite = waveNumberSpectrum(sea, -mx * dk, -mz * dk);
+  const double variance = modes.variance[(256 + mz) * 256 + mx];
+  EXPECT_NEAR(variance, 0.5 * (psi + opposite) * dk * dk, 1e-12 * variance);
+}
+
+TEST(Modes, SumToTheSpectrumsIntegrals) {
+  SeaState sea;
+  sea.windSpeed = 11;
+  sea.swell.push_back({1.2, 11, 1.0, 30});
+  const WaveLayout layout = layoutOf(sea);
+  double elevation = 0, slopes = 0;
+  for (std::uint32_t c = 0; c < layout.count; ++c) {
+    const CascadeMoments moments = momentsOf(makeModes(sea, layout, c, 4194304), layout.cascades[c], layout.size);
+    elevation += moments.elevation;
+    slopes += moments.slopes.x + moments.slopes.y;
+  }
+  const double kMax = layout.cascades[layout.count - 1].kMax;
+  EXPECT_NEAR(elevation / elevationVariance(sea, 0, kMax), 1, 0.01);
+  const SlopeVariance expected = slopeVariance(sea, 0, kMax);
+  EXPECT_NEAR(slopes / (expected.upwind + expected.crosswind), 1, 0.01);
+}
+
+TEST(Modes, AmplitudesAreGaussianWithTheExpectedVariance) {
+  const SeaState sea;
+  const WaveLayout layout = layoutOf(sea);
+  const CascadeModes modes = makeModes(sea, layout, 2, 4194304);
+  double ratio = 0, fourth = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < modes.variance.size(); ++i) {
+    if (modes.variance[i] <= 0) continue;
+    // Forward and backward parts are independent: |h|^2 at t = 0 is chi-squared with two degrees of freedom.
+    const glm::dvec4 a(modes.amplitude[i]);
+    const double power = std::pow(a.x + a.z, 2) + std::pow(a.y + a.w, 2);
+    ratio += power / modes.variance[i];
+    fourth += std::pow(power / modes.variance[i], 2);
+    ++count;
+  }
+  // Pairs (k, -k) are the same value: count / 2 independent ones, standard error 1/sqrt(count/2).
+  EXPECT_GT(count, 20000);
+  EXPECT_NEAR(ratio / count, 1, 5 / std::sqrt(0.5 * count));
+  EXPECT_NEAR(fourth / count, 2, 25 / std::sqrt(0.5 * count));
+}
+
+TEST(Modes, AreHermitianSoThatTheSeaIsReal) {
+  const SeaState sea;
+  const WaveLayout layout = layoutOf(sea);
+  const CascadeModes modes = makeModes(sea, layout, 0, 4194304);
+  for (const auto& [x, z] : {std::pair{3u, 250u}, {40u, 5u}, {255u, 255u}, {17u, 0u}}) {
+    const glm::vec4 a = modes.amplitude[z * 256 + x];
+    const glm::vec4 b = modes.amplitude[((256 - z) % 256) * 256 + (256 - x) % 256];
+    EXPECT_EQ(a.x, b.z);
+    EXPECT_EQ(a.y, -b.w);
+  }
+}
+
+TEST(Modes, DependOnSeedCascadeAndModeAlone) {
+  SeaState sea;
+  const WaveLayout layout = layoutOf(sea, 2, 128);
+  const CascadeModes first = makeModes(sea, layout, 0, 4194304);
+  const CascadeModes again = makeModes(sea, layout, 0, 4194304);
+  EXPECT_EQ(first.amplitude, again.amplitude);
+  // Another wind only re-weights: the direction of every complex amplitude stays.
+  SeaState stronger = sea;
+  stronger.windSpeed = 12;
+  const CascadeModes other = makeModes(stronger, layout, 0, 4194304);
+  const std::size_t index = 5 * 128 + 9;
+  EXPECT_NEAR(std::atan2(first.amplitude[index].y, first.amplitude[index].x),
+              std::atan2(other.amplitude[index].y, other.amplitude[index].x), 1e-6);
+  sea.seed = 2;
+  EXPECT_NE(first.amplitude[index], makeModes(sea, layout, 0, 4194304).amplitude[index]);
+}
+
+TEST(Modes, LeaveTheMeanAndTheNyquistModesEmpty) {
+  const SeaState sea;
+  const WaveLayout layout = layoutOf(sea, 1, 64);
+  const CascadeModes modes = makeModes(sea, layout, 0, 4194304);
+  EXPECT_EQ(modes.amplitude[0], glm::vec4(0));
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    EXPECT_EQ(modes.amplitude[32 * 64 + i], glm::vec4(0));
+    EXPECT_EQ(modes.amplitude[i * 64 + 32], glm::vec4(0));
+  }
+}
+
+TEST(Modes, TurnAWholeNumberOfTimesPerLoop) {
+  SeaState sea;
+  sea.depth = 15;
+  const WaveLayout layout = layoutOf(sea, 2, 128);
+  for (const double period : {4194304.0, 33.7}) {
+    const CascadeModes modes = makeModes(sea, layout, 0, period);
+    const double k = kTwoPi / layout.cascades[0].length * 5;
+    const double exact = angularFrequency(k, 15) * period / kTwoPi;
+    EXPECT_NEAR(modes.constants[5].cycles, exact, 0.5);
+    EXPECT_NEAR(modes.constants[5].chop, 1 / (k * std::tanh(k * 15)), 1e-6 / k);
+  }
+}
+
+TEST(LoopFraction, IsExactForLongTimes) {
+  EXPECT_EQ(loopFraction(0, 4194304), 0u);
+  EXPECT_EQ(loopFraction(4194304.0 * 3, 4194304), 0u);
+  EXPECT_EQ(loopFraction(4194304.0 * 1024 + 2097152, 4194304), 0x8000000000000000u);
+  EXPECT_EQ(loopFraction(-1048576, 4194304), 0xc000000000000000u);
+  const long double exact = std::fmod(2592000.0L, 33.7L) / 33.7L;
+  EXPECT_NEAR(static_cast<double>(loopFraction(2592000, 33.7)) * 0x1p-64, static_cast<double>(exact), 1e-10);
+}
+
+}  // namespace
