@@ -37,16 +37,21 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
 }
 
 bool selected(const std::string& select, std::size_t index, const std::string& name) {
-  const bool number = !select.empty() && std::all_of(select.begin(), select.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool number =
+      !select.empty() && std::all_of(select.begin(), select.end(), [](char c) { return c >= '0' && c <= '9'; });
   return number ? select == std::to_string(index) : name.find(select) != std::string::npos;
 }
 
 int preference(vk::PhysicalDeviceType type) {
   switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu: return 3;
-    case vk::PhysicalDeviceType::eIntegratedGpu: return 2;
-    case vk::PhysicalDeviceType::eVirtualGpu: return 1;
-    default: return 0;
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return 3;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return 2;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return 1;
+    default:
+      return 0;
   }
 }
 
@@ -94,17 +99,26 @@ struct FormatLayout {
 
 FormatLayout layoutOf(vk::Format format) {
   switch (format) {
-    case vk::Format::eR16Sfloat: return {2, 16};
-    case vk::Format::eR16G16Sfloat: return {4, 16};
-    case vk::Format::eR16G16B16A16Sfloat: return {8, 16};
+    case vk::Format::eR16Sfloat:
+      return {2, 16};
+    case vk::Format::eR16G16Sfloat:
+      return {4, 16};
+    case vk::Format::eR16G16B16A16Sfloat:
+      return {8, 16};
     case vk::Format::eD32Sfloat:
-    case vk::Format::eR32Sfloat: return {4, 32};
-    case vk::Format::eR32G32Sfloat: return {8, 32};
-    case vk::Format::eR32G32B32A32Sfloat: return {16, 32};
+    case vk::Format::eR32Sfloat:
+      return {4, 32};
+    case vk::Format::eR32G32Sfloat:
+      return {8, 32};
+    case vk::Format::eR32G32B32A32Sfloat:
+      return {16, 32};
     case vk::Format::eR8Uint:
-    case vk::Format::eR8Unorm: return {1, 8};
-    case vk::Format::eR8G8B8A8Unorm: return {4, 8};
-    default: throw std::runtime_error("cannot read images of the format " + vk::to_string(format));
+    case vk::Format::eR8Unorm:
+      return {1, 8};
+    case vk::Format::eR8G8B8A8Unorm:
+      return {4, 8};
+    default:
+      throw std::runtime_error("cannot read images of the format " + vk::to_string(format));
   }
 }
 
@@ -188,8 +202,7 @@ pelagic::DeviceInfo GpuDevice::info() const {
 }
 
 void GpuDevice::run(const std::function<void(vk::CommandBuffer)>& record) const {
-  const auto buffers =
-      device_->allocateCommandBuffersUnique({*pool_, vk::CommandBufferLevel::ePrimary, 1});
+  const auto buffers = device_->allocateCommandBuffersUnique({*pool_, vk::CommandBufferLevel::ePrimary, 1});
   const vk::CommandBuffer commands = *buffers.front();
   commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
   record(commands);
@@ -211,16 +224,23 @@ OwnedImage createImage(const GpuDevice& gpu, vk::Format format, vk::Extent2D ext
   OwnedImage result;
   result.format = format;
   result.extent = extent;
-  result.image = gpu.device().createImageUnique({{}, vk::ImageType::e2D, format, {extent.width, extent.height, 1}, 1, 1,
-                                                 vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, usage});
+  result.image = gpu.device().createImageUnique({{},
+                                                 vk::ImageType::e2D,
+                                                 format,
+                                                 {extent.width, extent.height, 1},
+                                                 1,
+                                                 1,
+                                                 vk::SampleCountFlagBits::e1,
+                                                 vk::ImageTiling::eOptimal,
+                                                 usage});
   const auto needs = gpu.device().getImageMemoryRequirements(*result.image);
   result.memory = gpu.device().allocateMemoryUnique(
       {needs.size, memoryType(gpu, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)});
   gpu.device().bindImageMemory(*result.image, *result.memory, 0);
   const auto aspect =
       format == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-  result.view = gpu.device().createImageViewUnique(
-      {{}, *result.image, vk::ImageViewType::e2D, format, {}, {aspect, 0, 1, 0, 1}});
+  result.view =
+      gpu.device().createImageViewUnique({{}, *result.image, vk::ImageViewType::e2D, format, {}, {aspect, 0, 1, 0, 1}});
   return result;
 }
 

@@ -80,8 +80,7 @@ std::vector<std::byte> readBuffer(const GpuDevice& gpu, vk::Buffer buffer, vk::D
 
 /// States that programs use.
 inline constexpr pelagic::ImageState kUndefined{};
-inline constexpr pelagic::ImageState kTransferSource{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                                     VK_ACCESS_2_TRANSFER_READ_BIT,
-                                                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+inline constexpr pelagic::ImageState kTransferSource{
+    VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
 
 }  // namespace common

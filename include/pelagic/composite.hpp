@@ -9,8 +9,8 @@ namespace pelagic {
 
 /// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: clear ocean water (Jerlov I to IB).
 struct WaterMedium {
-  glm::vec3 absorption{0.465f, 0.0600f, 0.0150f};     ///< a [1/m], 1e-4 … 100.
-  glm::vec3 backscatter{0.0010f, 0.0016f, 0.0034f};   ///< b_b [1/m], 0 … 100.
+  glm::vec3 absorption{0.465f, 0.0600f, 0.0150f};    ///< a [1/m], 1e-4 … 100.
+  glm::vec3 backscatter{0.0010f, 0.0016f, 0.0034f};  ///< b_b [1/m], 0 … 100.
 };
 Result<void> validate(const WaterMedium& medium);
 
@@ -23,7 +23,7 @@ struct CompositeTargets {
   std::optional<HostImage> color;
   std::optional<HostImage> depth;
   /// Optional outputs, STORAGE usage, every pixel written:
-  std::optional<HostImage> normal;         ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
+  std::optional<HostImage> normal;  ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
   std::optional<HostImage> slopeVariance;  ///< rg16f or rg32f: unresolved slope variance along world x and z [1].
   std::optional<HostImage> mergedDepth;    ///< r32f: depth of sea and host merged, in the camera's convention.
 };

@@ -36,7 +36,6 @@ struct RequiredFeatures {
   RequiredFeatures(const RequiredFeatures&) = delete;
   RequiredFeatures& operator=(const RequiredFeatures&) = delete;
   VkPhysicalDeviceVulkan13Features v13{};
-  VkPhysicalDeviceVulkan12Features v12{};
   /// Head of the chain.
   VkPhysicalDeviceFeatures2 features{};
 };

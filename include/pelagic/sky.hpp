@@ -23,8 +23,9 @@ Result<void> validate(const SkyState& state);
 
 /// The maps of the sky. All 2-D, one layer, linear filtering, rest in kShaderRead.
 struct SkyMaps {
-  /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps), v = 0.5 + 0.5 sign(e) sqrt(|e|/(pi/2))
-  /// for elevation e, which spends texels on the horizon. Radiance of sky as seen from sea level, without the sun's disc.
+  /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps), v = 0.5 + 0.5 sign(e)
+  /// sqrt(|e|/(pi/2)) for elevation e, which spends texels on the horizon. Radiance of sky as seen from sea level,
+  /// without the sun's disc.
   MapView radiance;
   /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
   /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.

@@ -43,7 +43,8 @@ double significantWaveHeight(const SeaState& sea) noexcept;
 double peakPeriod(const SeaState& sea) noexcept;
 /// Wavelength at the peak of the longest train, wind sea or swell [m].
 double longestPeakWavelength(const SeaState& sea) noexcept;
-/// Measured slopes of the real sea, Cox & Munk (1954): 0.00316 U up-wind, 0.003 + 0.00192 U across; U10 is used for U12.5.
+/// Measured slopes of the real sea, Cox & Munk (1954): 0.00316 U up-wind, 0.003 + 0.00192 U across; U10 is used for
+/// U12.5.
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept;
 /// Fraction of the surface under whitecaps, Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1.
 double whitecapFraction(double windSpeed) noexcept;

@@ -8,8 +8,7 @@ namespace pelagic::gpu {
 
 inline constexpr ImageState kComputeStorageWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                                  VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
-inline constexpr ImageState kComputeSampled{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+inline constexpr ImageState kComputeSampled{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
                                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 inline constexpr BufferState kComputeRead{vk::PipelineStageFlagBits2::eComputeShader,
                                           vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
@@ -27,7 +26,8 @@ class Barrier {
   Barrier& image(Image& image, const ImageState& next, bool discard = false) noexcept;
   Barrier& buffer(Buffer& buffer, const BufferState& next) noexcept;
   /// An image whose states the caller tracks; all mips and layers.
-  Barrier& image(vk::Image image, vk::ImageAspectFlags aspect, const ImageState& before, const ImageState& after) noexcept;
+  Barrier& image(vk::Image image, vk::ImageAspectFlags aspect, const ImageState& before,
+                 const ImageState& after) noexcept;
   /// One mip of an image in a chain of passes, not tracked.
   Barrier& mip(const Image& image, std::uint32_t mip, const ImageState& before, const ImageState& after) noexcept;
   void record(const Context& context, vk::CommandBuffer commands) noexcept;

@@ -58,12 +58,14 @@ Result<DescriptorSet> DescriptorLayout::createSet(std::string_view name) const {
   for (const Binding& b : bindings_) sizes.emplace_back(b.type, b.count);
   auto pool = context_->device.createDescriptorPoolUnique(vk::DescriptorPoolCreateInfo({}, 1, sizes),
                                                           context_->allocator(), context_->dispatch);
-  if (pool.result != vk::Result::eSuccess) return fail(pool.result, "create a descriptor pool for " + std::string(name));
+  if (pool.result != vk::Result::eSuccess)
+    return fail(pool.result, "create a descriptor pool for " + std::string(name));
   result.pool_ = std::move(pool.value);
   context_->name(*result.pool_, name);
   auto sets = context_->device.allocateDescriptorSets(vk::DescriptorSetAllocateInfo(*result.pool_, *layout_),
                                                       context_->dispatch);
-  if (sets.result != vk::Result::eSuccess) return fail(sets.result, "allocate a descriptor set for " + std::string(name));
+  if (sets.result != vk::Result::eSuccess)
+    return fail(sets.result, "allocate a descriptor set for " + std::string(name));
   result.set_ = sets.value.front();
   context_->name(result.set_, name);
   return result;
@@ -104,9 +106,9 @@ Result<ComputePass> ComputePass::create(Context& context, const ComputePassInfo&
   const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
                                          info.constants.size_bytes(), info.constants.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
-  auto pipeline = context.device.createComputePipelineUnique(
-      context.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, *result.layout_), context.allocator(),
-      context.dispatch);
+  auto pipeline = context.device.createComputePipelineUnique(context.pipelineCache,
+                                                             vk::ComputePipelineCreateInfo({}, stage, *result.layout_),
+                                                             context.allocator(), context.dispatch);
   if (pipeline.result != vk::Result::eSuccess) {
     return fail(pipeline.result, "create the pipeline " + std::string(info.name));
   }

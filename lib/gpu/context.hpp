@@ -53,14 +53,15 @@ inline tl::unexpected<Error> reject(std::string message, ErrorCode code = ErrorC
 
 }  // namespace pelagic::gpu
 
-/// `PELAGIC_TRY(x, call())` declares x from a Result or returns its error; `PELAGIC_CHECK(call())` only passes errors on.
+/// `PELAGIC_TRY(x, call())` declares x from a Result or returns its error; `PELAGIC_CHECK(call())` only passes errors
+/// on.
 #define PELAGIC_TRY_JOIN2(a, b) a##b
 #define PELAGIC_TRY_JOIN(a, b) PELAGIC_TRY_JOIN2(a, b)
-#define PELAGIC_TRY_IMPL(tmp, name, ...)                                \
-  auto tmp = __VA_ARGS__;                                               \
+#define PELAGIC_TRY_IMPL(tmp, name, ...)                                     \
+  auto tmp = __VA_ARGS__;                                                    \
   if (!tmp) return tl::unexpected<::pelagic::Error>(std::move(tmp.error())); \
   auto name = std::move(*tmp)
 #define PELAGIC_TRY(name, ...) PELAGIC_TRY_IMPL(PELAGIC_TRY_JOIN(pelagicTry, __LINE__), name, __VA_ARGS__)
-#define PELAGIC_CHECK(...)                                                                        \
-  if (auto pelagicCheck = __VA_ARGS__; !pelagicCheck)                                             \
+#define PELAGIC_CHECK(...)                            \
+  if (auto pelagicCheck = __VA_ARGS__; !pelagicCheck) \
   return tl::unexpected<::pelagic::Error>(std::move(pelagicCheck.error()))

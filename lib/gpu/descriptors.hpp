@@ -17,7 +17,8 @@ struct Binding {
 class DescriptorSet {
  public:
   vk::DescriptorSet handle() const noexcept { return set_; }
-  void buffer(std::uint32_t binding, vk::Buffer buffer, vk::DeviceSize offset = 0, vk::DeviceSize range = VK_WHOLE_SIZE);
+  void buffer(std::uint32_t binding, vk::Buffer buffer, vk::DeviceSize offset = 0,
+              vk::DeviceSize range = VK_WHOLE_SIZE);
   void storageImage(std::uint32_t binding, vk::ImageView view, std::uint32_t element = 0);
   void sampled(std::uint32_t binding, vk::ImageView view, vk::Sampler sampler, std::uint32_t element = 0,
                vk::ImageLayout layout = vk::ImageLayout::eShaderReadOnlyOptimal);

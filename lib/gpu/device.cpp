@@ -8,8 +8,8 @@ void Context::name(vk::ObjectType type, std::uint64_t handle, std::string_view t
   if (!namesObjects) return;
   const std::string copy(text);
   // A name is a help for debugging: that it cannot be set is no failure of the caller's.
-  static_cast<void>(device.setDebugUtilsObjectNameEXT(vk::DebugUtilsObjectNameInfoEXT(type, handle, copy.c_str()),
-                                                      dispatch));
+  static_cast<void>(
+      device.setDebugUtilsObjectNameEXT(vk::DebugUtilsObjectNameInfoEXT(type, handle, copy.c_str()), dispatch));
 }
 
 Error vulkanError(vk::Result result, std::string_view what) {
@@ -30,16 +30,15 @@ struct Need {
 };
 
 Result<void> checkFeatures(const Context& context) {
-  const auto chain = context.physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                                                         vk::PhysicalDeviceVulkan13Features>(context.dispatch);
+  const auto chain =
+      context.physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>(
+          context.dispatch);
   const auto& base = chain.get<vk::PhysicalDeviceFeatures2>().features;
-  const auto& v12 = chain.get<vk::PhysicalDeviceVulkan12Features>();
   const auto& v13 = chain.get<vk::PhysicalDeviceVulkan13Features>();
   const Need needs[] = {
       {v13.dynamicRendering == VK_TRUE, "dynamicRendering"},
       {v13.synchronization2 == VK_TRUE, "synchronization2"},
       {v13.maintenance4 == VK_TRUE, "maintenance4"},
-      {v12.hostQueryReset == VK_TRUE, "hostQueryReset"},
       {base.shaderStorageImageWriteWithoutFormat == VK_TRUE, "shaderStorageImageWriteWithoutFormat"},
       {base.shaderStorageImageExtendedFormats == VK_TRUE, "shaderStorageImageExtendedFormats"},
       {base.depthClamp == VK_TRUE, "depthClamp"},
@@ -67,8 +66,8 @@ Result<void> checkLimits(const Context& context) {
   };
   for (const Limit& check : checks) {
     if (check.has < check.needs) {
-      return reject(std::string("the device's ") + check.name + " is " + std::to_string(check.has) +
-                        ", at least " + std::to_string(check.needs) + " is needed",
+      return reject(std::string("the device's ") + check.name + " is " + std::to_string(check.has) + ", at least " +
+                        std::to_string(check.needs) + " is needed",
                     ErrorCode::unsupported);
     }
   }
@@ -102,11 +101,8 @@ Result<void> checkFormats(const Context& context) {
 RequiredFeatures::RequiredFeatures() noexcept {
   v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
   v13.dynamicRendering = v13.synchronization2 = v13.maintenance4 = VK_TRUE;
-  v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-  v12.hostQueryReset = VK_TRUE;
-  v12.pNext = &v13;
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-  features.pNext = &v12;
+  features.pNext = &v13;
   features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
   features.features.shaderStorageImageExtendedFormats = VK_TRUE;
   features.features.depthClamp = VK_TRUE;

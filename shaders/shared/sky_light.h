@@ -11,12 +11,12 @@ PELAGIC_SHADER_CONSTANT float kEnvironmentScale = 0.8f;
 
 // Radiance in units of the extraterrestrial solar irradiance per steradian (pelagic/sky.hpp).
 struct SkyLight {
-  vec4 sunDirection;       // xyz toward the sun (world), w cosine of the disc's angular radius
-  vec4 sunIrradiance;      // rgb at sea level on a plane facing the sun, clouds included; 0 when below the horizon
-  vec4 sunRadiance;        // rgb of the disc as seen from sea level
-  vec4 skyIrradiance;      // rgb on a horizontal plane from the sky without the sun
-  vec4 rayleighExtinction; // rgb at sea level [1/m], w scale height [m]
-  vec4 mieExtinction;      // rgb at sea level [1/m], w scale height [m]
+  vec4 sunDirection;        // xyz toward the sun (world), w cosine of the disc's angular radius
+  vec4 sunIrradiance;       // rgb at sea level on a plane facing the sun, clouds included; 0 when below the horizon
+  vec4 sunRadiance;         // rgb of the disc as seen from sea level
+  vec4 skyIrradiance;       // rgb on a horizontal plane from the sky without the sun
+  vec4 rayleighExtinction;  // rgb at sea level [1/m], w scale height [m]
+  vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
 };
 
 PELAGIC_SHADER_END
