@@ -124,7 +124,7 @@ FormatLayout layoutOf(vk::Format format) {
 
 }  // namespace
 
-tl::expected<GpuDevice, std::string> GpuDevice::create(const GpuDeviceOptions& options) try {
+tl::expected<GpuDevice, GpuDeviceError> GpuDevice::create(const GpuDeviceOptions& options) try {
   GpuDevice gpu;
   std::vector<const char*> extensions = options.instanceExtensions;
   std::vector<const char*> layers;
@@ -165,8 +165,8 @@ tl::expected<GpuDevice, std::string> GpuDevice::create(const GpuDeviceOptions& o
     }
   }
   if (!gpu.physicalDevice_) {
-    return tl::unexpected(devices.empty() ? std::string("there is no Vulkan device")
-                                          : "no Vulkan device matches '" + options.select + "', there are " + names);
+    if (devices.empty()) return tl::unexpected(GpuDeviceError{false, "there is no Vulkan device"});
+    return tl::unexpected(GpuDeviceError{true, "--device is '" + options.select + "', allowed: " + names});
   }
 
   const auto families = gpu.physicalDevice_.getQueueFamilyProperties();
@@ -174,7 +174,9 @@ tl::expected<GpuDevice, std::string> GpuDevice::create(const GpuDeviceOptions& o
   while (gpu.queueFamily_ < families.size() && (families[gpu.queueFamily_].queueFlags & needed) != needed) {
     ++gpu.queueFamily_;
   }
-  if (gpu.queueFamily_ == families.size()) return tl::unexpected(gpu.name() + " has no graphics and compute queue");
+  if (gpu.queueFamily_ == families.size()) {
+    return tl::unexpected(GpuDeviceError{false, gpu.name() + " has no graphics and compute queue"});
+  }
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, gpu.queueFamily_, 1, &priority);
   const pelagic::RequiredFeatures required;
@@ -186,7 +188,7 @@ tl::expected<GpuDevice, std::string> GpuDevice::create(const GpuDeviceOptions& o
   gpu.pool_ = gpu.device_->createCommandPoolUnique({vk::CommandPoolCreateFlagBits::eTransient, gpu.queueFamily_});
   return gpu;
 } catch (const std::exception& error) {
-  return tl::unexpected(std::string("cannot create a Vulkan device: ") + error.what());
+  return tl::unexpected(GpuDeviceError{false, std::string("cannot create a Vulkan device: ") + error.what()});
 }
 
 std::string GpuDevice::name() const { return physicalDevice_.getProperties().deviceName; }
@@ -234,8 +236,14 @@ OwnedImage createImage(const GpuDevice& gpu, vk::Format format, vk::Extent2D ext
                                                  vk::ImageTiling::eOptimal,
                                                  usage});
   const auto needs = gpu.device().getImageMemoryRequirements(*result.image);
-  result.memory = gpu.device().allocateMemoryUnique(
-      {needs.size, memoryType(gpu, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)});
+  const std::uint32_t type = memoryType(gpu, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
+  const auto properties = gpu.physicalDevice().getMemoryProperties();
+  const vk::DeviceSize heap = properties.memoryHeaps[properties.memoryTypes[type].heapIndex].size;
+  if (needs.size > heap) {  // a software device would promise the memory and be killed for using it
+    throw std::runtime_error("an image of " + std::to_string(needs.size) + " bytes does not fit into the device's " +
+                             std::to_string(heap));
+  }
+  result.memory = gpu.device().allocateMemoryUnique({needs.size, type});
   gpu.device().bindImageMemory(*result.image, *result.memory, 0);
   const auto aspect =
       format == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;

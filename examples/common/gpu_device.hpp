@@ -24,10 +24,14 @@ struct ValidationLog {
   std::vector<std::string> messages;
 };
 
+struct GpuDeviceError {
+  bool noMatch = false;  ///< There are devices, but none that GpuDeviceOptions::select names.
+  std::string message;   ///< One sentence.
+};
+
 class GpuDevice {
  public:
-  /// The error is one sentence.
-  static tl::expected<GpuDevice, std::string> create(const GpuDeviceOptions& options);
+  static tl::expected<GpuDevice, GpuDeviceError> create(const GpuDeviceOptions& options);
 
   vk::Instance instance() const { return *instance_; }
   vk::PhysicalDevice physicalDevice() const { return physicalDevice_; }
@@ -37,15 +41,17 @@ class GpuDevice {
   std::string name() const;
   pelagic::DeviceInfo info() const;
   const std::vector<std::string>& validationMessages() const { return log_->messages; }
+  /// Outlives the device, so that messages of its destruction are found too.
+  std::shared_ptr<const ValidationLog> log() const { return log_; }
 
   /// Records with `record`, submits and waits.
   void run(const std::function<void(vk::CommandBuffer)>& record) const;
 
  private:
-  std::unique_ptr<ValidationLog> log_ = std::make_unique<ValidationLog>();
+  std::shared_ptr<ValidationLog> log_ = std::make_shared<ValidationLog>();
   vk::UniqueInstance instance_;
+  std::unique_ptr<vk::DispatchLoaderDynamic> dispatch_;  // the messenger points to it
   vk::UniqueHandle<vk::DebugUtilsMessengerEXT, vk::DispatchLoaderDynamic> messenger_;
-  std::unique_ptr<vk::DispatchLoaderDynamic> dispatch_;
   vk::PhysicalDevice physicalDevice_;
   vk::UniqueDevice device_;
   vk::Queue queue_;

@@ -41,6 +41,7 @@ T require(tl::expected<T, E>&& result);
 
 inline const std::string& messageOf(const std::string& error) { return error; }
 inline const std::string& messageOf(const pelagic::Error& error) { return error.message; }
+inline const std::string& messageOf(const common::GpuDeviceError& error) { return error.message; }
 
 template <class T, class E>
 T require(tl::expected<T, E>&& result) {

@@ -6,7 +6,7 @@ void GpuTest::SetUp() {
   common::GpuDeviceOptions options;
   options.validate = true;
   auto gpu = common::GpuDevice::create(options);
-  ASSERT_TRUE(gpu) << gpu.error();
+  ASSERT_TRUE(gpu) << gpu.error().message;
   gpu_ = std::make_unique<common::GpuDevice>(std::move(*gpu));
   auto device = pelagic::Device::create(gpu_->info());
   ASSERT_TRUE(device) << device.error().message;

@@ -1,0 +1,30 @@
+/// PNG and OpenEXR files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace common {
+
+/// One channel of an OpenEXR file, picked out of interleaved pixels.
+struct ExrChannel {
+  std::string name;
+  bool half = false;         ///< 16-bit float, else 32-bit.
+  const std::byte* first{};  ///< The channel's value of the first pixel, rows from the top.
+  std::size_t stride = 0;    ///< Bytes from one pixel to the next.
+};
+/// Component `index` of interleaved floats.
+ExrChannel floatChannel(std::string name, const std::vector<float>& pixels, std::size_t components, std::size_t index);
+
+/// Both throw a Failure when the file cannot be written. `path` comes from OutputSet::add.
+void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+              std::span<const ExrChannel> channels);
+/// `rgba`: 8-bit sRGB; alpha is dropped.
+void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+              std::span<const std::byte> rgba);
+
+}  // namespace common

@@ -1,0 +1,105 @@
+#include "sea_options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <limits>
+
+#include "failure.hpp"
+
+namespace common {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const double kDegree = glm::pi<double>() / 180;  // [rad]
+
+pelagic::Swell parseSwell(const std::string& where, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() < 3 || parts.size() > 4) refuse(where, text, "HS_M,TP_S,DEG or HS_M,TP_S,DEG,SPREAD");
+  pelagic::Swell swell;
+  swell.significantHeight = parseNumber(where + "'s height", parts[0], {0, 20, "m", true});
+  swell.peakPeriod = parseNumber(where + "'s period", parts[1], {1, 30, "s"});
+  swell.direction = parseNumber(where + "'s direction", parts[2], {-360, 360, "degrees"}) * kDegree;
+  if (parts.size() == 4) swell.spread = parseNumber(where + "'s spread", parts[3], {1, 200, ""});
+  return swell;
+}
+
+std::vector<pelagic::Swell> parseSwells(const std::string& where, const std::vector<std::string>& texts) {
+  std::vector<pelagic::Swell> trains;
+  if (texts.size() == 1 && texts.front() == "none") return trains;
+  for (const std::string& text : texts) trains.push_back(parseSwell(where, text));
+  return trains;
+}
+
+pelagic::Spectrum parseSpectrum(const std::string& where, const std::string& text) {
+  const bool table = text.size() > 4 && text.compare(text.size() - 4, 4, ".csv") == 0;
+  if (text == "elfouhaily" || table) {
+    throw Failure(ExitCode::badInput,
+                  fmt::format("{} '{}' is not available in this version, allowed: {}", where, text, names(spectra())));
+  }
+  return parseChoice(where, text, spectra());
+}
+
+}  // namespace
+
+const Choices<pelagic::Spectrum>& spectra() {
+  static const Choices<pelagic::Spectrum> choices{{"phillips", pelagic::Spectrum::phillips},
+                                                  {"pierson-moskowitz", pelagic::Spectrum::piersonMoskowitz},
+                                                  {"jonswap", pelagic::Spectrum::jonswap},
+                                                  {"tma", pelagic::Spectrum::tma}};
+  return choices;
+}
+
+const Choices<pelagic::Spreading>& spreadings() {
+  static const Choices<pelagic::Spreading> choices{{"cos2", pelagic::Spreading::cos2},
+                                                   {"mitsuyasu", pelagic::Spreading::mitsuyasu},
+                                                   {"hasselmann", pelagic::Spreading::hasselmann},
+                                                   {"donelan-banner", pelagic::Spreading::donelanBanner}};
+  return choices;
+}
+
+Fields seaFields(SeaSettings& sea) {
+  using Texts = std::vector<std::string>;
+  pelagic::SeaState& state = sea.state;
+  return {
+      numberField("wind", "M_PER_S", "Wind speed at 10 m height", {0.1, 60, "m/s"}, state.windSpeed),
+      numberField("wind-direction", "DEG", "Direction the wind blows toward, from +x turning to +z",
+                  {-360, 360, "degrees"}, state.windDirection, kDegree),
+      numberField("fetch", "KM", "Distance over which the wind blows", {0.1, 10000, "km"}, state.fetch, 1000),
+      numberField("depth", "M", "Water depth", {0.5, kInfinity, "m"}, state.depth),
+      {"spectrum", "NAME", "Spectrum of the wind sea: " + names(spectra()),
+       [&state](const std::string& where, const Texts& t) { state.spectrum = parseSpectrum(where, t.front()); }},
+      {"spreading", "NAME", "Distribution over directions: " + names(spreadings()),
+       [&state](const std::string& where, const Texts& t) {
+         state.spreading = parseChoice(where, t.front(), spreadings());
+       }},
+      {"swell", "HS_M,TP_S,DEG[,SPREAD]",
+       "A train of swell, repeatable: height more than 0 to 20 m, period 1 to 30 s, direction -360 to 360 degrees, "
+       "spread 1 to 200 (larger is narrower); 'none' for no swell",
+       [&state](const std::string& where, const Texts& t) { state.swell = parseSwells(where, t); }, true},
+      numberField("choppiness", "X", "Horizontal displacement, 1 is physical", {0, 2, ""}, state.choppiness),
+      wholeField("seed", "N", "Seed of the random numbers", 0, std::numeric_limits<std::uint64_t>::max(),
+                 [&state](std::uint64_t seed) { state.seed = seed; }),
+      numberField("loop", "SECONDS", "Period after which the sea repeats exactly", {1, 4194304, "s"}, sea.loopPeriod),
+      wholeField("cascades", "N", "Number of FFT patches", 1, pelagic::kMaxCascades,
+                 [&sea](std::uint64_t count) { sea.cascades = static_cast<std::uint32_t>(count); }),
+      {"size", "N", "Samples along each side of a patch: 64, 128, 256, 512, 1024",
+       [&sea](const std::string& where, const Texts& t) {
+         static const Choices<std::uint32_t> sizes{
+             {"64", 64}, {"128", 128}, {"256", 256}, {"512", 512}, {"1024", 1024}};
+         sea.size = parseChoice(where, t.front(), sizes);
+       }},
+  };
+}
+
+pelagic::WavesInfo wavesInfo(const SeaSettings& sea, pelagic::MapPrecision precision) {
+  pelagic::WavesInfo info;
+  info.sea = sea.state;
+  info.layout = unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size));
+  info.loopPeriod = sea.loopPeriod;
+  info.precision = precision;
+  return info;
+}
+
+}  // namespace common
