@@ -1,0 +1,116 @@
+// The ocean BRDF of Ross, Dion & Potvin (2005) and Bruneton et al. (2010), for Gaussian slopes about any mean.
+//
+// Slopes are those of the elevation over the horizontal plane, s = (dy/dx, dy/dz); a facet's normal is (-s.x, 1, -s.y)
+// over its length. The papers tilt a frame so that the mean slope is 0. Here the frame stays level, the slopes have the
+// mean m and covariance C, and a direction v sees the signed area X(s) = v.y - (v.x s.x + v.z s.y) of a facet over a unit
+// of the plane. X is Gaussian with the mean mu = v.y - vh.m and the variance tau^2 = vh' C vh, so that the area seen is
+// E[max(X,0)] = mu Phi(mu/tau) + tau phi(mu/tau) = mu (1 + Lambda(a)), a = mu/(sqrt(2) tau): the papers' cos(theta) (1 +
+// Lambda) when m = 0, and defined for faces turned away (mu <= 0) as well.
+#ifndef PELAGIC_PHYSICS_OCEAN_BRDF_GLSL
+#define PELAGIC_PHYSICS_OCEAN_BRDF_GLSL
+#include "physics/formula.h"
+
+PELAGIC_PHYSICS_BEGIN
+
+// A symmetric 2 x 2 matrix is a vec3: xx, zz, xz.
+
+PELAGIC_FORMULA vec2 covarianceTimes(vec3 c, vec2 a) { return vec2(c.x * a.x + c.z * a.y, c.z * a.x + c.y * a.y); }
+
+// a' C a
+PELAGIC_FORMULA float covarianceAlong(vec3 c, vec2 a) {
+  return c.x * a.x * a.x + c.y * a.y * a.y + 2.0f * c.z * a.x * a.y;
+}
+
+PELAGIC_FORMULA float covarianceDeterminant(vec3 c) { return max(c.x * c.y - c.z * c.z, 1e-16f); }
+
+// Covariance with the variances `along` and `across` the unit vector d.
+PELAGIC_FORMULA vec3 covarianceOf(float along, float across, vec2 d) {
+  return vec3(along * d.x * d.x + across * d.y * d.y, along * d.y * d.y + across * d.x * d.x,
+              (along - across) * d.x * d.y);
+}
+
+// Gaussian density of a slope that lies `s` from the mean [1].
+PELAGIC_FORMULA float slopeDensity(vec2 s, vec3 c) {
+  float determinant = covarianceDeterminant(c);
+  float q = (c.y * s.x * s.x - 2.0f * c.z * s.x * s.y + c.x * s.y * s.y) / determinant;
+  return exp(-0.5f * q) / (6.28318531f * sqrt(determinant));
+}
+
+// Upper tail of the normal distribution times e^(z^2/2), z >= 0: Abramowitz & Stegun 7.1.26, |error| of the tail
+// <= 7.5e-8 .. 1.5e-7.
+PELAGIC_FORMULA float scaledTail(float z) {
+  float t = 1.0f / (1.0f + 0.3275911f * 0.70710678f * z);
+  return 0.5f * t *
+         (0.254829592f + t * (-0.284496736f + t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f))));
+}
+
+// What a direction sees of the slopes.
+struct Visibility {
+  float mean;        // mu: area of the mean facet seen, per unit of the plane [1]; negative: turned away
+  float deviation;   // tau [1]
+  float area;        // E[max(X,0)] [1]
+  float fraction;    // Phi(mu/tau): share of the facets that face the direction [1]
+  float density;     // phi(mu/tau) [1]
+};
+
+PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
+  Visibility r;
+  vec2 h = vec2(v.x, v.z);
+  r.mean = v.y - dot(h, mean);
+  r.deviation = sqrt(max(covarianceAlong(c, h), 1e-10f));
+  float z = r.mean / r.deviation;
+  float a = min(abs(z), 12.0f);
+  float gauss = exp(-0.5f * a * a);
+  float tail = gauss * scaledTail(a);
+  r.density = 0.39894228f * gauss;
+  r.fraction = z >= 0.0f ? 1.0f - tail : tail;
+  // Turned far away both terms cancel; the asymptote of the Gaussian's second integral does not.
+  r.area = z < -3.0f ? r.deviation * r.density / (a * a + 3.0f) : r.mean * r.fraction + r.deviation * r.density;
+  return r;
+}
+
+// Lambda of Smith's shadowing for the light, (e^(-a^2) - a sqrt(pi) erfc a) / (2 a sqrt(pi)): the sunlit side of a mean
+// facet turned toward the light.
+PELAGIC_FORMULA float smithLambda(Visibility r) { return max(r.area / r.mean - 1.0f, 0.0f); }
+
+// Mean of the slopes seen, relative to the mean of all: facets turned toward the viewer count more.
+// E[(s - m) max(X,0)] / E[max(X,0)] = -C vh Phi / E, by Stein's lemma.
+PELAGIC_FORMULA vec2 visibleShift(Visibility r, vec3 v, vec3 c) {
+  return covarianceTimes(c, vec2(v.x, v.z)) * (-r.fraction / r.area);
+}
+
+// Covariance of the slopes seen, about their own mean.
+PELAGIC_FORMULA vec3 visibleCovariance(Visibility r, vec3 v, vec3 c) {
+  vec2 g = covarianceTimes(c, vec2(v.x, v.z));
+  float share = r.fraction / r.area;
+  float k = r.density / (r.deviation * r.area) - share * share;
+  return c + k * vec3(g.x * g.x, g.y * g.y, g.x * g.y);
+}
+
+// Slope of the facet that mirrors l to v.
+PELAGIC_FORMULA vec2 mirrorSlope(vec3 v, vec3 l) {
+  float y = max(v.y + l.y, 1e-5f);
+  return vec2(-(v.x + l.x), -(v.z + l.z)) / y;
+}
+
+// Covariance that a disc light of angular radius `radius` [rad] adds to the slopes that mirror it: r^2/16 in the plane of
+// incidence, r^2/(16 cos^2) across, carried from the half vector h (cos: of v to h) to slopes.
+PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, float radius) {
+  float y2 = 1.0f / (1.0f + dot(slope, slope));  // h.y^2
+  float k = radius * radius / (16.0f * max(cosIncidence * cosIncidence, 1e-4f) * y2);
+  vec2 w = vec2(l.x, l.z) + slope * l.y;
+  return k * vec3(1.0f + slope.x * slope.x - w.x * w.x, 1.0f + slope.y * slope.y - w.y * w.y,
+                  slope.x * slope.y - w.x * w.y);
+}
+
+// Radiance mirrored from a light of unit irradiance (on a plane facing it), without Fresnel's factor [1/sr]:
+// p(s_h) / (4 h.y^4 (E_v + mu_v Lambda_l)), the papers' I_sun / (L_sun Omega_sun F). `c` includes discCovariance().
+PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c) {
+  if (lit.mean <= 1e-6f) return 0.0f;
+  float inverseY2 = 1.0f + dot(slope, slope);
+  float denominator = seen.area + max(seen.mean, 0.0f) * smithLambda(lit);
+  return slopeDensity(slope - mean, c) * inverseY2 * inverseY2 / (4.0f * max(denominator, 1e-6f));
+}
+
+PELAGIC_PHYSICS_END
+#endif
