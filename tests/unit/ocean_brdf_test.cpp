@@ -41,8 +41,10 @@ struct Case {
   vec2 mean;
 };
 const std::vector<Case> kCases = {
-    {{1e-4f, 1e-4f, 0}, {0, 0}},           {{0.02f, 0.03f, 0}, {0, 0}},
-    {{0.03f, 0.01f, 0.008f}, {0.1f, 0}},   {{0.005f, 0.02f, -0.006f}, {-0.3f, 0.2f}},
+    {{1e-4f, 1e-4f, 0}, {0, 0}},
+    {{0.02f, 0.03f, 0}, {0, 0}},
+    {{0.03f, 0.01f, 0.008f}, {0.1f, 0}},
+    {{0.005f, 0.02f, -0.006f}, {-0.3f, 0.2f}},
     {{0.09f, 0.16f, 0.05f}, {0.05f, 0.1f}},
 };
 
@@ -123,14 +125,15 @@ TEST(OceanBrdf, AreaOfFacesTurnedAwayStaysPositiveAndExact) {
   const vec3 c{0.01f, 0.01f, 0};
   const vec3 v{1, 0, 0};
   double last = 1;
-  for (double z = 2; z > -9; z -= 0.25) {  // mu / tau
+  for (double z = 2; z > -6; z -= 0.25) {  // mu / tau
     const auto seen = physics::visibility(v, vec2(-z * 0.1, 0), c);
     // Integral of the normal distribution's upper tail.
     const double exact =
         0.1 * (std::exp(-0.5 * z * z) / std::sqrt(2 * kPi) + z * 0.5 * std::erfc(-z / std::numbers::sqrt2));
     EXPECT_GT(seen.area, 0);
     EXPECT_LT(seen.area, last);
-    if (z > -6) EXPECT_NEAR(seen.area / exact, 1, 0.03) << z;
+    const double tolerance = z > -3 ? 1e-3 : 0.035;
+    EXPECT_NEAR(seen.area / exact, 1, tolerance) << z;
     last = seen.area;
   }
 }
@@ -161,7 +164,7 @@ TEST(OceanBrdf, FurnaceNeverReturnsMoreThanItGot) {
         sum += w * measure * physics::sunReflection(seen, lit, s, vec2(0), c) / physics::slopeDensity(s, c);
       });
       EXPECT_LE(sum, 1.002) << variance << ' ' << zenith;
-      EXPECT_GE(sum, zenith < 60 ? 0.97 : 0.4) << variance << ' ' << zenith;
+      EXPECT_GE(sum, zenith < 60 ? 0.95 : 0.4) << variance << ' ' << zenith;
     }
   }
 }
@@ -198,7 +201,8 @@ double overDisc(const vec3& v, const vec3& l, const vec2& mean, const vec3& c, d
     const double r = radius * std::sqrt((i + 0.5) / kRings);
     for (int j = 0; j < kSpokes; ++j) {
       const double t = 2 * kPi * j / kSpokes;
-      const vec3 p = glm::normalize(l + static_cast<float>(r * std::cos(t)) * e1 + static_cast<float>(r * std::sin(t)) * e2);
+      const vec3 p =
+          glm::normalize(l + static_cast<float>(r * std::cos(t)) * e1 + static_cast<float>(r * std::sin(t)) * e2);
       sum += physics::sunReflection(seen, physics::visibility(p, mean, c), physics::mirrorSlope(v, p), mean, c);
     }
   }
@@ -217,9 +221,11 @@ TEST(OceanBrdf, DiscWideningAgreesWithQuadratureOverTheDisc) {
         const vec3 c{deviation * deviation, deviation * deviation, 0};
         const vec3 h = glm::normalize(v + l);
         const vec3 wide = c + physics::discCovariance(slope, l, glm::dot(v, h), static_cast<float>(kRadius));
-        const double got = physics::sunReflection(physics::visibility(v, mean, c), physics::visibility(l, mean, c),
-                                                  slope, mean, wide);
-        EXPECT_NEAR(got / overDisc(v, l, mean, c, kRadius), 1, 0.03) << deviation << ' ' << sun << ' ' << off;
+        const double got =
+            physics::sunReflection(physics::visibility(v, mean, c), physics::visibility(l, mean, c), slope, mean, wide);
+        // Slopes finer than the disc's own show that it is no Gaussian.
+        const double tolerance = deviation < 0.005f ? 0.1 : 0.02;
+        EXPECT_NEAR(got / overDisc(v, l, mean, c, kRadius), 1, tolerance) << deviation << ' ' << sun << ' ' << off;
       }
     }
   }
@@ -238,12 +244,12 @@ TEST(OceanBrdf, DiscWideningHasTheDiscsSecondMoments) {
   for (int i = 0; i < kCount; ++i) {
     const double r = kRadius * std::sqrt((i + 0.5) / kCount);
     const double t = 2.399963 * i;
-    const vec3 p = glm::normalize(l + static_cast<float>(r * std::cos(t)) * e1 + static_cast<float>(r * std::sin(t)) * e2);
+    const vec3 p =
+        glm::normalize(l + static_cast<float>(r * std::cos(t)) * e1 + static_cast<float>(r * std::sin(t)) * e2);
     const glm::dvec2 d = physics::mirrorSlope(v, p) - centre;
     sum += glm::dvec3(d.x * d.x, d.y * d.y, d.x * d.y) / static_cast<double>(kCount);
   }
-  const vec3 wide =
-      physics::discCovariance(centre, l, glm::dot(v, glm::normalize(v + l)), static_cast<float>(kRadius));
+  const vec3 wide = physics::discCovariance(centre, l, glm::dot(v, glm::normalize(v + l)), static_cast<float>(kRadius));
   EXPECT_NEAR(wide.x / sum.x, 1, 0.01);
   EXPECT_NEAR(wide.y / sum.y, 1, 0.01);
   EXPECT_NEAR(wide.z / sum.z, 1, 0.01);
