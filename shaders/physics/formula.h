@@ -1,4 +1,5 @@
-// Lets a file of formulas compile as GLSL and, through GLM, as C++. Literals carry an f, vectors are swizzled by member.
+// Lets a file of formulas compile as GLSL and, through GLM, as C++. Literals carry an f, vectors are swizzled by
+// member.
 #ifndef PELAGIC_PHYSICS_FORMULA_H
 #define PELAGIC_PHYSICS_FORMULA_H
 #ifdef __cplusplus
