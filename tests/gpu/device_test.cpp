@@ -1,10 +1,106 @@
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <map>
 #include <pelagic/timings.hpp>
+#include <string_view>
 
 #include "support/gpu_test.hpp"
 
 namespace {
 
 class DeviceTest : public support::GpuTest {};
+
+/// The loader as it would be on a device that lacks synchronization2 and has 64 bytes of push constants.
+PFN_vkVoidFunction VKAPI_CALL lesserDevice(VkInstance instance, const char* name) {
+  const std::string_view wanted = name;
+  if (wanted == "vkGetPhysicalDeviceFeatures2") {
+    return reinterpret_cast<PFN_vkVoidFunction>(
+        +[](VkPhysicalDevice device, VkPhysicalDeviceFeatures2* features) VKAPI_CALL {
+          vkGetPhysicalDeviceFeatures2(device, features);
+          for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext) {
+            if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES) {
+              reinterpret_cast<VkPhysicalDeviceVulkan13Features*>(next)->synchronization2 = VK_FALSE;
+            }
+          }
+        });
+  }
+  return vkGetInstanceProcAddr(instance, name);
+}
+
+PFN_vkVoidFunction VKAPI_CALL smallerDevice(VkInstance instance, const char* name) {
+  const std::string_view wanted = name;
+  if (wanted == "vkGetPhysicalDeviceProperties2") {
+    return reinterpret_cast<PFN_vkVoidFunction>(+[](VkPhysicalDevice device, VkPhysicalDeviceProperties2* properties)
+                                                     VKAPI_CALL {
+                                                       vkGetPhysicalDeviceProperties2(device, properties);
+                                                       properties->properties.limits.maxPushConstantsSize = 64;
+                                                     });
+  }
+  return vkGetInstanceProcAddr(instance, name);
+}
+
+TEST_F(DeviceTest, MissingFeatureIsNamed) {
+  pelagic::DeviceInfo info = gpu().info();
+  info.getInstanceProcAddr = lesserDevice;
+  const auto device = pelagic::Device::create(info);
+  ASSERT_FALSE(device);
+  EXPECT_EQ(device.error().code, pelagic::ErrorCode::unsupported);
+  EXPECT_EQ(device.error().message, "the device lacks the feature synchronization2");
+}
+
+TEST_F(DeviceTest, TooSmallLimitIsNamedWithBothValues) {
+  pelagic::DeviceInfo info = gpu().info();
+  info.getInstanceProcAddr = smallerDevice;
+  const auto device = pelagic::Device::create(info);
+  ASSERT_FALSE(device);
+  EXPECT_EQ(device.error().message, "the device's maxPushConstantsSize is 64, at least 128 is needed");
+}
+
+/// Counts what goes through the host's allocation callbacks.
+struct CountingAllocator {
+  std::map<void*, std::size_t> live;
+  std::size_t calls = 0;
+
+  static void* VKAPI_CALL allocate(void* self, std::size_t size, std::size_t alignment, VkSystemAllocationScope) {
+    auto& counter = *static_cast<CountingAllocator*>(self);
+    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(std::max(alignment, sizeof(void*)), std::max(whole, sizeof(void*)));
+    counter.live[memory] = size;
+    ++counter.calls;
+    return memory;
+  }
+  static void* VKAPI_CALL reallocate(void* self, void* old, std::size_t size, std::size_t alignment,
+                                     VkSystemAllocationScope scope) {
+    void* memory = allocate(self, size, alignment, scope);
+    if (old) std::memcpy(memory, old, std::min(size, static_cast<CountingAllocator*>(self)->live[old]));
+    release(self, old);
+    return memory;
+  }
+  static void VKAPI_CALL release(void* self, void* memory) {
+    static_cast<CountingAllocator*>(self)->live.erase(memory);
+    std::free(memory);
+  }
+};
+
+TEST_F(DeviceTest, HostAllocatorIsUsedAndGivenEverythingBack) {
+  CountingAllocator counter;
+  VkAllocationCallbacks callbacks{};
+  callbacks.pUserData = &counter;
+  callbacks.pfnAllocation = CountingAllocator::allocate;
+  callbacks.pfnReallocation = CountingAllocator::reallocate;
+  callbacks.pfnFree = CountingAllocator::release;
+  pelagic::DeviceInfo info = gpu().info();
+  info.allocator = &callbacks;
+  {
+    auto device = pelagic::Device::create(info);
+    ASSERT_TRUE(device);
+    const auto timings = pelagic::Timings::create(*device);
+    ASSERT_TRUE(timings);
+    EXPECT_GT(counter.calls, 0u);
+  }
+  EXPECT_TRUE(counter.live.empty());
+}
 
 TEST_F(DeviceTest, NullHandleIsNamed) {
   pelagic::DeviceInfo info = gpu().info();
