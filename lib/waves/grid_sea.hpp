@@ -1,0 +1,30 @@
+/// A sea state made ready for the GPU, with the numbers that describe it.
+#pragma once
+
+#include <shared/waves.h>
+
+#include <waves/modes.hpp>
+
+namespace pelagic {
+
+struct GridSea {
+  SeaState sea;
+  /// Of all cascades, one after the other; see CascadeModes.
+  std::vector<glm::vec4> amplitudes;
+  std::vector<ModeConstants> constants;
+  std::array<shader::WaveCascade, kMaxCascades> cascades{};
+  std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
+  double elevationDeviation = 0;
+  SeaReport report;
+};
+
+/// Checks every field; the error names it, its value and its range.
+Result<void> validate(const WavesInfo& info);
+
+/// How many cascades, from the longest, keep foam: those that hold waves longer than a metre, at least one.
+std::uint32_t foamCascades(const WaveLayout& layout) noexcept;
+
+/// `sea` and `info` must be valid; `info.sea` is not used.
+GridSea makeGridSea(const SeaState& sea, const WavesInfo& info);
+
+}  // namespace pelagic

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <waves/transform.hpp>
+
+namespace pelagic {
+namespace {
+
+/// The foam's clock: one tick takes one step of decay [s].
+constexpr double kFoamTick = kFoamLifetime / shader::kFoamSteps;
+
+constexpr ImageState kImageClear{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+
+void begin(Timings* timings, VkCommandBuffer commands, const char* name) noexcept {
+  if (timings) timings->begin(commands, name);
+}
+void end(Timings* timings, VkCommandBuffer commands) noexcept {
+  if (timings) timings->end(commands);
+}
+
+}  // namespace
+
+struct Waves::Impl {
+  gpu::Context* context = nullptr;
+  WavesInfo info;
+  GridSea grid;                   ///< As recorded last, or for the first time.
+  std::optional<GridSea> wanted;  ///< By setSea(), for the next record().
+  WaveImages images;
+  WaveTransform transform;
+  std::uint32_t newest = 0;  ///< Of images.displacement.
+  std::uint32_t slot = 0;    ///< Of the staging buffers.
+  bool uploaded = false;
+  bool recorded = false;
+  bool hasFoam = false;
+  double foamTick = 0;  ///< The last tick that the foam history holds, when hasFoam.
+
+  const GridSea& latest() const noexcept { return wanted ? *wanted : grid; }
+  void recordUpload(vk::CommandBuffer commands) noexcept;
+  void clearFoam(vk::CommandBuffer commands) noexcept;
+  void recordFoam(vk::CommandBuffer commands, double time) noexcept;
+  void recordMaps(vk::CommandBuffer commands, double time, Timings* timings) noexcept;
+};
+
+Waves::Waves(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+Waves::Waves(Waves&&) noexcept = default;
+Waves& Waves::operator=(Waves&&) noexcept = default;
+Waves::~Waves() = default;
+
+Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
+  PELAGIC_CHECK(validate(info));
+  auto impl = std::make_unique<Impl>();
+  impl->context = &device.context();
+  impl->info = info;
+  impl->grid = makeGridSea(info.sea, info);
+  PELAGIC_TRY(images, createWaveImages(*impl->context, info));
+  impl->images = std::move(images);
+  PELAGIC_TRY(transform, WaveTransform::create(*impl->context, info, impl->images));
+  impl->transform = std::move(transform);
+  return Waves(std::move(impl));
+}
+
+Result<void> Waves::setSea(const SeaState& sea) {
+  PELAGIC_CHECK(validate(sea));
+  impl_->wanted = makeGridSea(sea, impl_->info);
+  return {};
+}
+
+void Waves::Impl::recordUpload(vk::CommandBuffer commands) noexcept {
+  if (wanted) {
+    std::swap(grid, *wanted);
+    wanted.reset();
+    uploaded = false;
+  }
+  if (!uploaded) {
+    transform.upload(commands, grid, slot);
+    // The foam of a sea is a function of the sea and the time alone: that of another sea is not carried over.
+    hasFoam = false;
+    uploaded = true;
+  }
+  slot = (slot + 1) % info.framesInFlight;
+}
+
+void Waves::Impl::recordFoam(vk::CommandBuffer commands, double time) noexcept {
+  const double now = std::floor(time / kFoamTick);
+  // A tick older than kFoamSteps has faded away, so a replay of kFoamSteps ticks is complete from any start.
+  const bool replay = !hasFoam || now < foamTick || now - foamTick >= shader::kFoamSteps;
+  const std::uint32_t ticks = replay ? shader::kFoamSteps : static_cast<std::uint32_t>(now - foamTick);
+  for (std::uint32_t left = ticks; left-- > 0;) {
+    const bool keep = !replay || left + 1 < ticks;
+    transform.recordFoamTick(commands, loopFraction((now - left) * kFoamTick, info.loopPeriod), keep);
+  }
+  foamTick = now;
+  hasFoam = true;
+}
+
+void Waves::Impl::clearFoam(vk::CommandBuffer commands) noexcept {
+  gpu::Barrier().image(images.foam, kImageClear, true).record(*context, commands);
+  commands.clearColorImage(images.foam.handle(), vk::ImageLayout::eTransferDstOptimal, vk::ClearColorValue(),
+                           images.foam.range(), context->dispatch);
+}
+
+void Waves::Impl::recordMaps(vk::CommandBuffer commands, double time, Timings* timings) noexcept {
+  begin(timings, commands, "waves evolve rows");
+  transform.recordRows(commands, loopFraction(time, info.loopPeriod));
+  end(timings, commands);
+
+  gpu::Image& displacement = images.displacement[newest];
+  gpu::Barrier()
+      .image(displacement, gpu::kComputeStorageWrite, true)
+      .image(images.gradient, gpu::kComputeStorageWrite, true)
+      .image(images.moments, gpu::kComputeStorageWrite, true)
+      .image(images.foam, gpu::kComputeStorageWrite)
+      .record(*context, commands);
+  begin(timings, commands, "waves columns");
+  transform.recordColumns(commands, newest, static_cast<float>((time / kFoamTick - foamTick) / shader::kFoamSteps));
+  end(timings, commands);
+  gpu::Barrier()
+      .image(displacement, kShaderRead)
+      .image(images.gradient, kShaderRead)
+      .image(images.moments, kShaderRead)
+      .image(images.foam, kShaderRead)
+      .record(*context, commands);
+}
+
+void Waves::record(VkCommandBuffer handle, double time, Timings* timings) noexcept {
+  const vk::CommandBuffer commands(handle);
+  impl_->recordUpload(commands);
+  begin(timings, commands, "waves foam");
+  impl_->recordFoam(commands, time);
+  end(timings, commands);
+  if (!impl_->recorded) {
+    impl_->clearFoam(commands);  // the short cascades' layers stay so
+    // Nothing moved before the first frame: both displacement maps show it.
+    impl_->recordMaps(commands, time, nullptr);
+    impl_->recorded = true;
+  }
+  impl_->newest = 1 - impl_->newest;
+  impl_->recordMaps(commands, time, timings);
+}
+
+WaveMaps Waves::maps() const noexcept {
+  WaveMaps maps;
+  const WaveImages& images = impl_->images;
+  maps.displacement = images.displacement[impl_->newest].map();
+  maps.previousDisplacement = images.displacement[1 - impl_->newest].map();
+  maps.gradient = images.gradient.map();
+  maps.moments = images.moments.map();
+  maps.foam = images.foam.map();
+  maps.layout = impl_->info.layout;
+  maps.windDirection = impl_->grid.sea.windDirection;
+  maps.unresolved = impl_->grid.report.unresolved;
+  maps.slopeCovariance = impl_->grid.slopeCovariance;
+  maps.elevationDeviation = impl_->grid.elevationDeviation;
+  maps.choppiness = impl_->grid.sea.choppiness;
+  return maps;
+}
+
+SeaReport Waves::report() const noexcept { return impl_->latest().report; }
+
+std::vector<double> Waves::modeVariance(std::uint32_t cascade) const {
+  return makeModes(impl_->latest().sea, impl_->info.layout, cascade, impl_->info.loopPeriod).variance;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <physics/whitecaps.glsl>
+#include <waves/whitecaps.hpp>
+
+namespace pelagic {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+double totalDeviation(std::span<const JacobianSpread> bands) noexcept {
+  double variance = 0;
+  for (const JacobianSpread& band : bands) variance += band.deviation * band.deviation;
+  return std::sqrt(variance);
+}
+
+/// Mean of max over s of (B(t - s) - s/lifetime) for one band, from the normal distribution of its Jacobian and Rice's
+/// rate of crossings: E = E[B] + lifetime * integral of B * rate(B) dB.
+double expectedFoam(const JacobianSpread& band, double inverseSpread, double threshold) noexcept {
+  constexpr int kSteps = 512;
+  constexpr double kRange = 8;  // standard deviations
+  const double step = 2 * kRange / kSteps;
+  const double crossings = band.rate / band.deviation / kTwoPi;
+  double mean = 0;
+  double fading = 0;
+  double before = 0;
+  for (int i = kSteps; i-- > 0;) {
+    const double x = -kRange + (i + 0.5) * step;
+    const double coverage = shader::breakingCoverage(static_cast<float>(1 + band.deviation * x),
+                                                     static_cast<float>(threshold), static_cast<float>(inverseSpread));
+    const double bell = std::exp(-0.5 * x * x);
+    mean += coverage * bell / std::sqrt(kTwoPi) * step;
+    fading += 0.5 * (coverage * coverage - before * before) * crossings * bell;
+    before = coverage;
+  }
+  // Events overlap in a rough sea; as independent ones they leave exp(-E) of the water bare.
+  return -std::expm1(-(mean + kFoamLifetime * fading));
+}
+
+}  // namespace
+
+JacobianSpread jacobianSpread(const CascadeModes& modes, const Cascade& cascade, std::uint32_t size,
+                              double loopPeriod) {
+  const double dk = kTwoPi / cascade.length;
+  double variance = 0;
+  double rate = 0;
+  for (std::uint32_t row = 0; row < size; ++row) {
+    for (std::uint32_t column = 0; column < size; ++column) {
+      const std::size_t index = static_cast<std::size_t>(row) * size + column;
+      if (modes.constants[index].cycles == 0) continue;
+      const double kx = dk * std::min(column, size - column);
+      const double kz = dk * std::min(row, size - row);
+      // dDx/dx + dDz/dz = -chop k^2 h
+      const double stretch = modes.constants[index].chop * (kx * kx + kz * kz);
+      const double w = kTwoPi * modes.constants[index].cycles / loopPeriod;
+      variance += stretch * stretch * modes.variance[index];
+      rate += w * w * stretch * stretch * modes.variance[index];
+    }
+  }
+  return {std::sqrt(variance), std::sqrt(rate)};
+}
+
+double inverseSpread(std::span<const JacobianSpread> bands, std::size_t cascade) noexcept {
+  double variance = 0;
+  for (std::size_t c = 0; c < bands.size(); ++c) {
+    if (c != cascade) variance += bands[c].deviation * bands[c].deviation;
+  }
+  const double spread = std::max(std::sqrt(variance), 0.25 * bands[cascade].deviation);
+  return spread > 0 ? 1 / spread : 0;
+}
+
+double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noexcept {
+  double sum = 0;
+  for (std::size_t c = 0; c < bands.size(); ++c) {
+    if (bands[c].deviation > 0) sum += expectedFoam(bands[c], inverseSpread(bands, c), threshold);
+  }
+  return sum;
+}
+
+double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept {
+  const double deviation = totalDeviation(bands);
+  double low = 1 - 10 * deviation;
+  double high = 1 + 2 * deviation;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (expectedFoam(bands, middle) < coverage ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace pelagic

@@ -1,0 +1,32 @@
+// Transforms the columns of one plane of the intermediate; neighbouring columns lie along x.
+// Include after "shared/waves.h".
+#ifndef PELAGIC_WAVES_COLUMNS_GLSL
+#define PELAGIC_WAVES_COLUMNS_GLSL
+
+layout(local_size_x_id = 0, local_size_y_id = 1) in;
+// Rows in [kBand, N - kBand) are zero and not stored.
+layout(constant_id = 2) const uint kBand = 128;
+
+layout(set = 0, binding = 0) uniform samplerBuffer planes;
+layout(set = 0, binding = 1, std430) readonly buffer Cascades { WaveCascade cascades[]; };
+
+#define FFT_THREADS gl_WorkGroupSize.y
+#define FFT_THREAD gl_LocalInvocationID.y
+shared vec4 slots[16 * gl_WorkGroupSize.y * gl_WorkGroupSize.x];
+#define FFT_EXCHANGE(i) slots[(i) * gl_WorkGroupSize.x + gl_LocalInvocationID.x]
+#include "waves/fft.glsl"
+
+// `plane` counts planes of all cascades.
+void transformColumn(uint plane) {
+  const int first = int(plane * kSize * kSize + gl_GlobalInvocationID.x);
+  [[unroll]] for (uint e = 0; e < 16; ++e) {
+    const uint row = FFT_THREAD + e * FFT_THREADS;
+    v[e] = vec4(0);
+    if (e * FFT_THREADS < kBand || (e + 1) * FFT_THREADS > kSize - kBand) {
+      v[e] = texelFetch(planes, first + int(row * kSize));
+    }
+  }
+  transformLine();
+}
+
+#endif
