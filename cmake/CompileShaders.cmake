@@ -6,11 +6,11 @@ find_program(PELAGIC_SPIRV_VAL spirv-val REQUIRED)
 set(PELAGIC_SHADER_DIR "${CMAKE_CURRENT_LIST_DIR}/../shaders")
 set(PELAGIC_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/EmbedSpirv.cmake")
 
-# pelagic_add_shader(target source [NAME name] [DEFINES a=b ...])
+# pelagic_add_shader(target source [NAME name] [DEFINES a=b ...] [INCLUDES dir ...])
 # `source` is relative to shaders/ or absolute. C++ sees `pelagic::shaders::NAME` (a std::span of words) after
 # #include "NAME.spv.hpp"; NAME defaults to the path below shaders/ with every separator and dot as '_'.
 function(pelagic_add_shader target source)
-  cmake_parse_arguments(ARG "" "NAME" "DEFINES" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME" "DEFINES;INCLUDES" ${ARGN})
   if(NOT ARG_NAME)
     string(REGEX REPLACE "[/.-]" "_" ARG_NAME "${source}")
   endif()
@@ -20,9 +20,10 @@ function(pelagic_add_shader target source)
   set(spv "${dir}/${ARG_NAME}.spv")
   set(header "${dir}/${ARG_NAME}.spv.hpp")
   list(TRANSFORM ARG_DEFINES PREPEND "-D")
+  list(TRANSFORM ARG_INCLUDES PREPEND "-I") # searched before shaders/
   add_custom_command(
     OUTPUT "${spv}"
-    COMMAND ${PELAGIC_GLSLANG} -V --target-env vulkan1.2 --quiet "-I${PELAGIC_SHADER_DIR}" "-I${PELAGIC_SHADER_DIR}/../include" ${ARG_DEFINES}
+    COMMAND ${PELAGIC_GLSLANG} -V --target-env vulkan1.2 --quiet ${ARG_INCLUDES} "-I${PELAGIC_SHADER_DIR}" "-I${PELAGIC_SHADER_DIR}/../include" ${ARG_DEFINES}
             --depfile "${spv}.d" -o "${spv}" "${input}"
     COMMAND ${PELAGIC_SPIRV_VAL} --target-env vulkan1.2 "${spv}"
     DEPENDS "${input}"

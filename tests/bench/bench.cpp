@@ -6,15 +6,11 @@
 
 namespace bench {
 
-namespace {
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
-}  // namespace
 
 std::vector<double>& Results::start(const std::string& name) {
   const auto found =

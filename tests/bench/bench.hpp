@@ -49,6 +49,9 @@ T require(tl::expected<T, E>&& result) {
   return std::move(*result);
 }
 
+double median(std::vector<double> values);
+
+void addWaveSteps(Setup& setup, Results& results);
 void addVkFft(Setup& setup, Results& results);
 void addFftw(Results& results);
 

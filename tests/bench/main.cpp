@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   std::fprintf(stderr, "device: %s\n", setup.gpu.name().c_str());
 
   bench::Results results;
+  bench::addWaveSteps(setup, results);
   bench::addVkFft(setup, results);
   bench::addFftw(results);
   PlainNames reporter;
