@@ -308,8 +308,11 @@ std::vector<float> readFloats(const GpuDevice& gpu, const pelagic::MapView& map,
 std::vector<std::byte> readBuffer(const GpuDevice& gpu, vk::Buffer buffer, vk::DeviceSize size) {
   const Staging staging = createStaging(gpu, size);
   gpu.run([&](vk::CommandBuffer commands) {
-    const vk::MemoryBarrier2 before(vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
-                                    vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferRead);
+    const vk::MemoryBarrier2 before(vk::PipelineStageFlagBits2::eAllTransfer |
+                                        vk::PipelineStageFlagBits2::eComputeShader |
+                                        vk::PipelineStageFlagBits2::eFragmentShader,
+                                    vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eAllTransfer,
+                                    vk::AccessFlagBits2::eTransferRead);
     commands.pipelineBarrier2({{}, before});
     commands.copyBuffer(buffer, *staging.buffer, vk::BufferCopy(0, 0, size));
     hostBarrier(commands);

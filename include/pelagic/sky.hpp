@@ -1,6 +1,8 @@
 /// The sky stage: sun, clear sky after Hillaire (2020), CIE overcast, and the light that the water needs from them.
 /// Radiance is in units of the extraterrestrial solar irradiance per steradian, per linear Rec.709 channel: above the
 /// air the sun's irradiance is (1,1,1), its disc has the radiance 1/6.8e-5 = 1.46e4, which half floats hold.
+/// Twilight loses half of its light every 0.7 degrees. So that half floats hold it, every radiance and irradiance of
+/// the maps is multiplied by twilightGain() when the sun is down: 1 by day, and a change of exposure else.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -20,6 +22,10 @@ struct SkyState {
   double haze = 1.0;          ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
 };
 Result<void> validate(const SkyState& state);
+
+/// Factor on all light of the sky: 1 while the sun is higher than 2 degrees below the horizon, then 2^1.45 more per
+/// degree down to 2^20. SkyLight::skyIrradiance.w holds it for a host that adds lamps of its own.
+double twilightGain(double sunElevation) noexcept;
 
 /// The maps of the sky. All 2-D, one layer, linear filtering, rest in kShaderRead.
 struct SkyMaps {

@@ -14,9 +14,10 @@ struct SkyLight {
   vec4 sunDirection;        // xyz toward the sun (world), w cosine of the disc's angular radius
   vec4 sunIrradiance;       // rgb at sea level on a plane facing the sun, clouds included; 0 when below the horizon
   vec4 sunRadiance;         // rgb of the disc as seen from sea level
-  vec4 skyIrradiance;       // rgb on a horizontal plane from the sky without the sun
+  vec4 skyIrradiance;       // rgb on a horizontal plane from the sky without the sun, w twilight gain (pelagic/sky.hpp)
   vec4 rayleighExtinction;  // rgb at sea level [1/m], w scale height [m]
   vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
+  vec4 cloudZenith;         // rgb radiance at the zenith of the overcast sky's share
 };
 
 PELAGIC_SHADER_END

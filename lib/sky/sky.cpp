@@ -1,0 +1,262 @@
+#include <cmath>
+#include <gpu/barrier.hpp>
+#include <gpu/compute_pass.hpp>
+#include <numbers>
+#include <pelagic/sky.hpp>
+
+#include "shared/sky_light.h"
+#include "shared/sky_pass.h"
+#include "sky_clear_comp.spv.hpp"
+#include "sky_environment_comp.spv.hpp"
+#include "sky_environment_mip_comp.spv.hpp"
+#include "sky_light_comp.spv.hpp"
+#include "sky_radiance_comp.spv.hpp"
+#include "sky_scattering_comp.spv.hpp"
+#include "sky_transmittance_comp.spv.hpp"
+
+namespace pelagic {
+namespace {
+
+using gpu::Binding;
+using shader::SkyPass;
+using Type = vk::DescriptorType;
+
+constexpr std::uint32_t kEnvironmentMips = 9;
+static_assert(shader::kEnvironmentSize == 1u << (kEnvironmentMips - 1));
+
+/// Resting state of the light: readable by any shader, as a storage or uniform buffer.
+constexpr gpu::BufferState kLightRead{vk::PipelineStageFlagBits2::eVertexShader |
+                                          vk::PipelineStageFlagBits2::eFragmentShader |
+                                          vk::PipelineStageFlagBits2::eComputeShader,
+                                      vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
+
+/// A pipeline and its only set.
+struct Step {
+  gpu::ComputePass pass;
+  gpu::DescriptorSet set;
+};
+
+Result<Step> createStep(gpu::Context& context, std::string_view name, std::span<const std::uint32_t> code,
+                        std::span<const Binding> bindings) {
+  Step step;
+  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {name, code, bindings, sizeof(SkyPass), {}}));
+  step.pass = std::move(pass);
+  PELAGIC_TRY(set, step.pass.createSet(name));
+  step.set = std::move(set);
+  return step;
+}
+
+SkyPass passOf(const SkyState& state) {
+  const double azimuth = std::remainder(state.sunAzimuth, 2 * std::numbers::pi);
+  const double side = std::cos(state.sunElevation);
+  SkyPass pass{};
+  pass.sunDirection =
+      glm::vec4(side * std::cos(azimuth), std::sin(state.sunElevation), side * std::sin(azimuth), state.sunElevation);
+  pass.sunAzimuth = static_cast<float>(azimuth);
+  pass.overcast = static_cast<float>(state.overcast);
+  pass.haze = static_cast<float>(state.haze);
+  pass.gain = static_cast<float>(twilightGain(state.sunElevation));
+  return pass;
+}
+
+}  // namespace
+
+struct Sky::Impl {
+  gpu::Context* context = nullptr;
+  SkyState state;
+  bool airChanged = true;  ///< What depends on the haze alone must be computed again.
+  bool changed = true;
+  gpu::Image transmittance, clear, radiance, environment;
+  gpu::Buffer scattering, light;
+  gpu::Unique<vk::Sampler> clamped, turning;
+  Step transmittanceStep, scatteringStep, clearStep, lightStep, radianceStep, environmentStep;
+  gpu::ComputePass mipPass;
+  std::vector<gpu::DescriptorSet> mipSets;  ///< Element i writes mip i + 1.
+
+  Result<void> createResources();
+  Result<void> createSteps();
+  void recordAir(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept;
+  void recordRadiance(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept;
+  void recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept;
+};
+
+Result<void> Sky::Impl::createResources() {
+  const auto image = [&](gpu::Image& target, std::string_view name, std::uint32_t width, std::uint32_t height,
+                         std::uint32_t mips) -> Result<void> {
+    gpu::ImageInfo info;
+    info.format = vk::Format::eR16G16B16A16Sfloat;
+    info.extent = vk::Extent2D(width, height);
+    info.mips = mips;
+    info.usage =
+        vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc;
+    PELAGIC_TRY(created, gpu::Image::create(*context, Stage::sky, name, info));
+    target = std::move(created);
+    return {};
+  };
+  PELAGIC_CHECK(
+      image(transmittance, "sky transmittance", shader::kTransmittanceWidth, shader::kTransmittanceHeight, 1));
+  PELAGIC_CHECK(image(clear, "sky clear", shader::kClearSize, shader::kClearSize, 1));
+  PELAGIC_CHECK(image(radiance, "sky radiance", shader::kRadianceWidth, shader::kRadianceHeight, 1));
+  PELAGIC_CHECK(
+      image(environment, "sky environment", shader::kEnvironmentSize, shader::kEnvironmentSize, kEnvironmentMips));
+  PELAGIC_TRY(scatteringBuffer,
+              gpu::Buffer::create(*context, Stage::sky, "sky scattering",
+                                  sizeof(glm::vec4) * shader::kScatteringWidth * shader::kScatteringHeight,
+                                  vk::BufferUsageFlagBits::eStorageBuffer));
+  scattering = std::move(scatteringBuffer);
+  PELAGIC_TRY(lightBuffer,
+              gpu::Buffer::create(*context, Stage::sky, "sky light", sizeof(shader::SkyLight),
+                                  vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eUniformBuffer |
+                                      vk::BufferUsageFlagBits::eTransferSrc));
+  light = std::move(lightBuffer);
+  gpu::SamplerInfo info;
+  info.v = vk::SamplerAddressMode::eClampToEdge;
+  PELAGIC_TRY(turningSampler, gpu::createSampler(*context, "sky turning", info));
+  turning = std::move(turningSampler);
+  info.u = vk::SamplerAddressMode::eClampToEdge;
+  PELAGIC_TRY(clampedSampler, gpu::createSampler(*context, "sky clamped", info));
+  clamped = std::move(clampedSampler);
+  return {};
+}
+
+Result<void> Sky::Impl::createSteps() {
+  const auto create = [&](Step& target, std::string_view name, std::span<const std::uint32_t> code,
+                          std::initializer_list<Type> types) -> Result<void> {
+    std::vector<Binding> bindings;
+    for (const Type type : types) bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1});
+    PELAGIC_TRY(step, createStep(*context, name, code, bindings));
+    target = std::move(step);
+    return {};
+  };
+  const Type sampled = Type::eCombinedImageSampler, storage = Type::eStorageImage, buffer = Type::eStorageBuffer;
+  PELAGIC_CHECK(create(transmittanceStep, "sky transmittance", shaders::sky_transmittance_comp, {storage}));
+  transmittanceStep.set.storageImage(0, transmittance.mipView(0));
+  PELAGIC_CHECK(create(scatteringStep, "sky scattering", shaders::sky_scattering_comp, {sampled, buffer}));
+  scatteringStep.set.sampled(0, transmittance.view(), *clamped);
+  scatteringStep.set.buffer(1, scattering.handle());
+  PELAGIC_CHECK(create(clearStep, "sky clear", shaders::sky_clear_comp, {sampled, buffer, storage}));
+  clearStep.set.sampled(0, transmittance.view(), *clamped);
+  clearStep.set.buffer(1, scattering.handle());
+  clearStep.set.storageImage(2, clear.mipView(0));
+  PELAGIC_CHECK(create(lightStep, "sky light", shaders::sky_light_comp, {sampled, buffer}));
+  lightStep.set.sampled(0, clear.view(), *clamped);
+  lightStep.set.buffer(1, light.handle());
+  PELAGIC_CHECK(create(radianceStep, "sky radiance", shaders::sky_radiance_comp, {sampled, buffer, storage}));
+  radianceStep.set.sampled(0, clear.view(), *clamped);
+  radianceStep.set.buffer(1, light.handle());
+  radianceStep.set.storageImage(2, radiance.mipView(0));
+  PELAGIC_CHECK(create(environmentStep, "sky environment", shaders::sky_environment_comp, {sampled, storage}));
+  environmentStep.set.sampled(0, radiance.view(), *turning);
+  environmentStep.set.storageImage(1, environment.mipView(0));
+
+  const Binding bindings[] = {{0, sampled, 1}, {1, storage, 1}};
+  PELAGIC_TRY(mip, gpu::ComputePass::create(
+                       *context, {"sky environment mip", shaders::sky_environment_mip_comp, bindings, 0, {}}));
+  mipPass = std::move(mip);
+  for (std::uint32_t i = 0; i + 1 < kEnvironmentMips; ++i) {
+    PELAGIC_TRY(set, mipPass.createSet("sky environment mip"));
+    set.sampled(0, environment.mipView(i), *clamped);
+    set.storageImage(1, environment.mipView(i + 1));
+    mipSets.push_back(std::move(set));
+  }
+  return {};
+}
+
+void Sky::Impl::recordAir(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept {
+  if (timings) timings->begin(commands, "sky air");
+  gpu::Barrier barrier;
+  barrier.image(transmittance, gpu::kComputeStorageWrite, true)
+      .buffer(scattering, gpu::kComputeWrite)
+      .record(*context, commands);
+  transmittanceStep.pass.bind(commands, transmittanceStep.set);
+  transmittanceStep.pass.push(commands, push);
+  transmittanceStep.pass.dispatch(commands, shader::kTransmittanceWidth / shader::kSkyTile,
+                                  shader::kTransmittanceHeight / shader::kSkyTile);
+  barrier.image(transmittance, gpu::kComputeSampled).record(*context, commands);
+  scatteringStep.pass.bind(commands, scatteringStep.set);
+  scatteringStep.pass.push(commands, push);
+  scatteringStep.pass.dispatch(commands, shader::kScatteringWidth, shader::kScatteringHeight);
+  barrier.buffer(scattering, gpu::kComputeRead).record(*context, commands);
+  if (timings) timings->end(commands);
+}
+
+void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept {
+  if (timings) timings->begin(commands, "sky radiance");
+  gpu::Barrier barrier;
+  barrier.image(clear, gpu::kComputeStorageWrite, true)
+      .image(radiance, gpu::kComputeStorageWrite, true)
+      .buffer(light, gpu::kComputeWrite)
+      .record(*context, commands);
+  clearStep.pass.bind(commands, clearStep.set);
+  clearStep.pass.push(commands, push);
+  clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, shader::kClearSize / shader::kSkyTile);
+  barrier.image(clear, gpu::kComputeSampled).record(*context, commands);
+  lightStep.pass.bind(commands, lightStep.set);
+  lightStep.pass.push(commands, push);
+  lightStep.pass.dispatch(commands, 1);
+  barrier.buffer(light, kLightRead).record(*context, commands);
+  radianceStep.pass.bind(commands, radianceStep.set);
+  radianceStep.pass.push(commands, push);
+  radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
+                             shader::kRadianceHeight / shader::kSkyTile);
+  barrier.image(radiance, kShaderRead).record(*context, commands);
+  if (timings) timings->end(commands);
+}
+
+void Sky::Impl::recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept {
+  if (timings) timings->begin(commands, "sky environment");
+  gpu::Barrier barrier;
+  barrier.image(environment, gpu::kComputeStorageWrite, true).record(*context, commands);
+  environmentStep.pass.bind(commands, environmentStep.set);
+  environmentStep.pass.dispatch(commands, shader::kEnvironmentSize / shader::kSkyTile,
+                                shader::kEnvironmentSize / shader::kSkyTile);
+  for (std::uint32_t i = 0; i < kEnvironmentMips; ++i) {
+    barrier.mip(environment, i, gpu::kComputeStorageWrite, kShaderRead).record(*context, commands);
+    if (i + 1 == kEnvironmentMips) break;
+    mipPass.bind(commands, mipSets[i]);
+    const std::uint32_t tiles = gpu::groups(shader::kEnvironmentSize >> (i + 1), shader::kSkyTile);
+    mipPass.dispatch(commands, tiles, tiles);
+  }
+  environment.state = kShaderRead;
+  if (timings) timings->end(commands);
+}
+
+Sky::Sky(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+Sky::Sky(Sky&&) noexcept = default;
+Sky& Sky::operator=(Sky&&) noexcept = default;
+Sky::~Sky() = default;
+
+Result<Sky> Sky::create(Device& device, const SkyState& state) {
+  PELAGIC_CHECK(validate(state));
+  auto impl = std::make_unique<Impl>();
+  impl->context = &device.context();
+  impl->state = state;
+  PELAGIC_CHECK(impl->createResources());
+  PELAGIC_CHECK(impl->createSteps());
+  return Sky(std::move(impl));
+}
+
+Result<void> Sky::setState(const SkyState& state) {
+  PELAGIC_CHECK(validate(state));
+  SkyState& now = impl_->state;
+  impl_->airChanged |= state.haze != now.haze;
+  impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
+                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast;
+  now = state;
+  return {};
+}
+
+void Sky::record(VkCommandBuffer commands, Timings* timings) noexcept {
+  if (!impl_->changed) return;
+  const SkyPass push = passOf(impl_->state);
+  if (impl_->airChanged) impl_->recordAir(commands, push, timings);
+  impl_->recordRadiance(commands, push, timings);
+  impl_->recordEnvironment(commands, timings);
+  impl_->airChanged = impl_->changed = false;
+}
+
+SkyMaps Sky::maps() const noexcept {
+  return {impl_->radiance.map(), impl_->environment.map(), impl_->light.handle(), impl_->light.size()};
+}
+
+}  // namespace pelagic

@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <cmath>
+#include <gpu/context.hpp>
+#include <numbers>
+#include <pelagic/sky.hpp>
+#include <sstream>
+
+namespace pelagic {
+namespace {
+
+struct Field {
+  const char* name;
+  double value, low, high;
+  const char* range;
+};
+
+}  // namespace
+
+Result<void> validate(const SkyState& state) {
+  // A float pi/2 is a little above the real one.
+  constexpr double kZenith = std::numbers::pi / 2 + 1e-6;
+  constexpr double kAny = std::numeric_limits<double>::max();
+  const Field fields[] = {{"sunElevation", state.sunElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
+                          {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
+                          {"overcast", state.overcast, 0, 1, "0 to 1"},
+                          {"haze", state.haze, 0, 20, "0 to 20"}};
+  for (const Field& field : fields) {
+    // Written so that NaN fails.
+    if (field.value >= field.low && field.value <= field.high) continue;
+    std::ostringstream text;
+    text << "SkyState::" << field.name << " is " << field.value << ", it must be " << field.range;
+    return gpu::reject(text.str());
+  }
+  return {};
+}
+
+double twilightGain(double sunElevation) noexcept {
+  const double depression = -sunElevation * 180 / std::numbers::pi;
+  return std::exp2(std::clamp(1.45 * (depression - 2), 0.0, 20.0));
+}
+
+}  // namespace pelagic

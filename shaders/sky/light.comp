@@ -1,0 +1,67 @@
+#version 460
+// The light of the sky as numbers: integrates the clear sky over the hemisphere and weighs in the clouds.
+#extension GL_GOOGLE_include_directive : require
+#include "pelagic/shader/types.h"
+#include "physics/atmosphere.glsl"
+#include "shared/sky_light.h"
+#include "shared/sky_pass.h"
+
+const uint kThreads = 256;
+// Share of the clear sky's global irradiance that a closed cloud cover lets through (stratus about 0.25, altostratus
+// 0.4), and its colour at luminance 1: a little bluer than the sun.
+const float kCloudTransmittance = 0.3;
+const vec3 kCloudTint = vec3(0.953, 1.003, 1.106);
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+
+const float kSunCosine = 0.99998907;  // of kAirSunRadius; cos() of a device may not resolve it
+
+layout(local_size_x = kThreads) in;
+layout(push_constant) uniform Push { SkyPass pass; };
+layout(binding = 0) uniform sampler2D clear;
+layout(binding = 1, std430) writeonly buffer Light { SkyLight light; };
+
+shared vec3 partial[kThreads];
+
+// Irradiance on the horizontal from the texels of this invocation; a texel counts with its exact projected solid angle,
+// both sides of the sun.
+vec3 irradianceOfTexels(uint first) {
+  const float n = float(kClearSize);
+  vec3 sum = vec3(0);
+  for (uint i = first; i < kClearSize * kClearSize; i += kThreads) {
+    vec2 low = vec2(i % kClearSize, i / kClearSize) / n, high = low + 1.0 / n;
+    vec2 sines = sin(0.5 * kAirPi * vec2(low.y * low.y, high.y * high.y));
+    float weight = 0.5 * (sines.y * sines.y - sines.x * sines.x) * 2.0 * kAirPi * (high.x * high.x - low.x * low.x);
+    sum += weight * texelFetch(clear, ivec2(i % kClearSize, i / kClearSize), 0).rgb;
+  }
+  return sum;
+}
+
+void writeLight(vec3 clearSky) {
+  float elevation = pass.sunDirection.w;
+  // The middle of what stands above the horizon, so that a setting disc reddens to the end.
+  float middle = 0.5 * (max(elevation - kAirSunRadius, 0.0) + max(elevation + kAirSunRadius, 0.0));
+  vec3 sun = exp(-airOpticalDepth(0.0, sin(middle), pass.haze, 64));
+  float share = sunDiscShare(elevation);
+  vec3 global = clearSky + sun * (share * sin(middle));
+  vec3 cloudy = kCloudTint * (kCloudTransmittance * dot(global, kLuminance)) * pass.overcast;
+  float open = 1.0 - pass.overcast;
+  vec3 sunNow = sun * open * (share > 0.0 ? 1.0 : 0.0);
+  light.sunDirection = vec4(pass.sunDirection.xyz, kSunCosine);
+  light.sunIrradiance = vec4(sunNow * share, 0);
+  light.sunRadiance = vec4(sunNow / (kAirPi * kAirSunRadius * kAirSunRadius), 0);
+  light.skyIrradiance = vec4(clearSky * open + cloudy, pass.gain);
+  light.rayleighExtinction = vec4(kRayleighScattering, kRayleighHeight);
+  light.mieExtinction = vec4(kMieExtinction * pass.haze, kMieHeight);
+  // The CIE overcast sky gives 7 pi/9 of its zenith's radiance.
+  light.cloudZenith = vec4(cloudy * (9.0 / (7.0 * kAirPi)), 0);
+}
+
+void main() {
+  uint i = gl_LocalInvocationIndex;
+  partial[i] = irradianceOfTexels(i);
+  for (uint half_ = kThreads / 2; half_ > 0; half_ /= 2) {
+    barrier();
+    if (i < half_) partial[i] += partial[i + half_];
+  }
+  if (i == 0) writeLight(partial[0]);
+}

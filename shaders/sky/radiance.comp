@@ -1,0 +1,24 @@
+#version 460
+// The sky over the whole horizon: clear and overcast mixed. Below the horizon the map holds the radiance of the horizon
+// at the same azimuth, so that filtering across it shows no rim.
+#extension GL_GOOGLE_include_directive : require
+#include "pelagic/shader/types.h"
+#include "physics/atmosphere.glsl"
+#include "shared/sky_light.h"
+#include "shared/sky_pass.h"
+
+layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;
+layout(push_constant) uniform Push { SkyPass pass; };
+layout(binding = 0) uniform sampler2D clear;
+layout(binding = 1, std430) readonly buffer Light { SkyLight light; };
+layout(binding = 2) writeonly uniform image2D radiance;
+
+void main() {
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  vec2 uv = (vec2(texel) + 0.5) / vec2(kRadianceWidth, kRadianceHeight);
+  float turn = abs(fract(uv.x - pass.sunAzimuth / (2.0 * kAirPi) + 0.5) - 0.5);  // from the sun, in turns, 0 ... 0.5
+  float row = max(2.0 * uv.y - 1.0, 0.0);
+  vec3 clearSky = textureLod(clear, vec2(sqrt(2.0 * turn), row), 0).rgb;
+  vec3 clouds = light.cloudZenith.rgb * cieOvercast(sin(max(skyElevation(uv.y), 0.0)));
+  imageStore(radiance, texel, vec4(clearSky * (1.0 - pass.overcast) + clouds, 1));
+}
