@@ -16,7 +16,6 @@ std::vector<double>& Results::start(const std::string& name) {
   const auto found =
       std::find_if(samples_.begin(), samples_.end(), [&](const auto& entry) { return entry.first == name; });
   if (found == samples_.end()) return samples_.emplace_back(name, std::vector<double>()).second;
-  found->second.clear();
   return found->second;
 }
 

@@ -18,7 +18,7 @@ struct Setup {
   pelagic::Timings timings;
 };
 
-/// Milliseconds of every measured iteration, by benchmark name; the last call of a benchmark counts.
+/// Milliseconds of every measured iteration, by benchmark name: all of them, repetitions too.
 class Results {
  public:
   std::vector<double>& start(const std::string& name);

@@ -50,6 +50,8 @@ TEST(House, IncludeRulesCatch) {
   EXPECT_EQ(findings("lib/gpu/x.cpp", "waves/c.hpp"), 1u);
   EXPECT_EQ(findings("lib/sky/x.cpp", "waves/c.hpp"), 1u);
   EXPECT_EQ(findings("lib/sky/x.cpp", "shared/e.h"), 0u);
+  EXPECT_EQ(findings("lib/sky/x.cpp", "sky/d.glsl"), 0u);
+  EXPECT_EQ(findings("lib/waves/x.cpp", "sky/d.glsl"), 1u);
   EXPECT_EQ(findings("lib/sky/x.cpp", "CLI/CLI.hpp"), 1u);
   EXPECT_EQ(findings("lib/ocean.cpp", "waves/c.hpp"), 0u);
   EXPECT_EQ(findings("shaders/waves/x.comp", "sky/d.glsl"), 1u);

@@ -24,7 +24,10 @@ std::optional<std::set<std::string>> allowedRooms(const std::string& room) {
   if (room == "include") return std::set<std::string>{};
   if (room == "lib/gpu") return std::set<std::string>{"include"};
   if (room == "lib") return std::nullopt;
-  if (startsWith(room, "lib/")) return std::set<std::string>{"include", "lib/gpu", "shaders/shared", "shaders/physics"};
+  if (startsWith(room, "lib/")) {
+    return std::set<std::string>{"include", "lib/gpu", "shaders/shared", "shaders/physics",
+                                 "shaders/" + room.substr(4)};
+  }
   if (room == "shaders/physics" || room == "shaders/api") return std::set<std::string>{"include"};
   if (room == "shaders/shared") return std::set<std::string>{"include", "shaders/physics"};
   if (startsWith(room, "shaders/")) return std::set<std::string>{"include", "shaders/shared", "shaders/physics"};
