@@ -1,0 +1,238 @@
+#include <array>
+#include <composite/frame.hpp>
+#include <composite/fresnel_table.hpp>
+#include <composite/targets.hpp>
+#include <cstring>
+#include <gpu/barrier.hpp>
+#include <gpu/compute_pass.hpp>
+#include <map>
+
+#include "composite_classify_comp.spv.hpp"
+#include "composite_sky_comp.spv.hpp"
+#include "composite_water_comp.spv.hpp"
+
+namespace pelagic {
+namespace {
+
+using vk::DescriptorType;
+
+/// As in shaders/composite/bindings.glsl and tiles.glsl.
+constexpr gpu::Binding kBindings[] = {
+    {0, DescriptorType::eUniformBuffer},         {1, DescriptorType::eStorageBuffer},
+    {2, DescriptorType::eStorageBuffer},         {3, DescriptorType::eCombinedImageSampler},
+    {4, DescriptorType::eCombinedImageSampler},  {5, DescriptorType::eCombinedImageSampler},
+    {6, DescriptorType::eCombinedImageSampler},  {7, DescriptorType::eCombinedImageSampler},
+    {8, DescriptorType::eCombinedImageSampler},  {9, DescriptorType::eCombinedImageSampler},
+    {10, DescriptorType::eCombinedImageSampler}, {11, DescriptorType::eCombinedImageSampler},
+    {12, DescriptorType::eCombinedImageSampler}, {13, DescriptorType::eStorageImage},
+    {14, DescriptorType::eStorageImage},         {15, DescriptorType::eStorageImage},
+    {16, DescriptorType::eStorageImage},         {17, DescriptorType::eStorageBuffer},
+};
+
+constexpr gpu::BufferState kComputeReadWrite{
+    vk::PipelineStageFlagBits2::eComputeShader,
+    vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eShaderStorageWrite};
+constexpr gpu::BufferState kComputeReadIndirect{
+    vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
+    vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
+
+/// Which of a view's optional images there are: the shaders' specialisation constants 0 … 3.
+using Variant = std::array<std::uint32_t, 4>;
+
+struct Passes {
+  gpu::ComputePass classify;
+  gpu::ComputePass sky;
+  gpu::ComputePass water;
+};
+
+}  // namespace
+
+struct Composite::Impl {
+  gpu::Context* context = nullptr;
+  gpu::Unique<vk::Sampler> repeat;  ///< Wave maps, and by azimuth the sky.
+  gpu::Unique<vk::Sampler> azimuth;
+  gpu::Unique<vk::Sampler> clamp;
+  gpu::Unique<vk::Sampler> nearest;
+  gpu::Buffer fresnel;
+  std::map<Variant, std::unique_ptr<Passes>> variants;
+
+  /// The passes of a variant, compiled when its first view is created.
+  Result<const Passes*> passes(const Variant& variant);
+};
+
+struct CompositeView::Impl {
+  gpu::Context* context = nullptr;
+  const Passes* passes = nullptr;
+  CompositeTargets targets;
+  gpu::Buffer frame;
+  gpu::Buffer tiles;
+  gpu::DescriptorSet set;
+
+  void writeSet(const Composite::Impl& shared, const WaveMaps& waves, const SkyMaps& sky, const WaterBuffer& water);
+  void recordInputs(vk::CommandBuffer commands, const shader::CompositeFrame& block) noexcept;
+  void recordTargets(vk::CommandBuffer commands, bool before) noexcept;
+};
+
+Composite::Composite(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+Composite::Composite(Composite&&) noexcept = default;
+Composite& Composite::operator=(Composite&&) noexcept = default;
+Composite::~Composite() = default;
+
+CompositeView::CompositeView(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+CompositeView::CompositeView(CompositeView&&) noexcept = default;
+CompositeView& CompositeView::operator=(CompositeView&&) noexcept = default;
+CompositeView::~CompositeView() = default;
+
+Result<Composite> Composite::create(Device& device) {
+  auto impl = std::make_unique<Impl>();
+  impl->context = &device.context();
+  const auto edge = vk::SamplerAddressMode::eClampToEdge;
+  const auto sampler = [&](std::string_view name, const gpu::SamplerInfo& info) {
+    return gpu::createSampler(*impl->context, name, info);
+  };
+  PELAGIC_TRY(repeat, sampler("composite repeat", {}));
+  PELAGIC_TRY(azimuth, sampler("composite azimuth", {.v = edge}));
+  PELAGIC_TRY(clamp, sampler("composite clamp", {.u = edge, .v = edge}));
+  PELAGIC_TRY(nearest,
+              sampler("composite nearest", {vk::Filter::eNearest, vk::SamplerMipmapMode::eNearest, edge, edge}));
+  impl->repeat = std::move(repeat);
+  impl->azimuth = std::move(azimuth);
+  impl->clamp = std::move(clamp);
+  impl->nearest = std::move(nearest);
+
+  const std::vector<float> table = fresnelTable();
+  const std::size_t bytes = table.size() * sizeof(float);
+  PELAGIC_TRY(fresnel, gpu::Buffer::create(*impl->context, Stage::composite, "composite fresnel table", bytes,
+                                           vk::BufferUsageFlagBits::eStorageBuffer, gpu::Buffer::Placement::upload));
+  std::memcpy(fresnel.mapped(), table.data(), bytes);
+  impl->fresnel = std::move(fresnel);
+  // The view that nearly every host has.
+  PELAGIC_CHECK(impl->passes({}));
+  return Composite(std::move(impl));
+}
+
+Result<const Passes*> Composite::Impl::passes(const Variant& variant) {
+  auto& entry = variants[variant];
+  if (!entry) {
+    const auto create = [&](std::string_view name, std::span<const std::uint32_t> code) {
+      return gpu::ComputePass::create(*context, {name, code, kBindings, 0, variant});
+    };
+    PELAGIC_TRY(classify, create("composite classify", shaders::composite_classify_comp));
+    PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp));
+    PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp));
+    entry = std::make_unique<Passes>(Passes{std::move(classify), std::move(sky), std::move(water)});
+  }
+  return entry.get();
+}
+
+void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps& waves, const SkyMaps& sky,
+                                   const WaterBuffer& water) {
+  set.buffer(0, frame.handle());
+  set.buffer(1, tiles.handle());
+  set.buffer(2, sky.light);
+  set.sampled(3, waves.gradient.view, *shared.repeat);
+  set.sampled(4, waves.moments.view, *shared.repeat);
+  set.sampled(5, waves.foam.view, *shared.repeat);
+  set.sampled(6, sky.radiance.view, *shared.azimuth);
+  set.sampled(7, sky.environment.view, *shared.clamp);
+  set.sampled(8, water.position.view, *shared.nearest);
+  set.sampled(9, water.body.view, *shared.nearest);
+  set.sampled(10, water.depth.view, *shared.nearest);
+  // What is missing is bound to what is there: the shader's constants keep it untouched.
+  set.sampled(11, targets.color ? targets.color->view : water.position.view, *shared.nearest);
+  set.sampled(12, targets.depth ? targets.depth->view : water.depth.view, *shared.nearest);
+  set.storageImage(13, targets.output.view);
+  const auto orOutput = [&](const std::optional<HostImage>& image) {
+    return image ? image->view : targets.output.view;
+  };
+  set.storageImage(14, orOutput(targets.normal));
+  set.storageImage(15, orOutput(targets.slopeVariance));
+  set.storageImage(16, orOutput(targets.mergedDepth));
+  set.buffer(17, shared.fresnel.handle());
+}
+
+Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
+                                            const WaterBuffer& water, const CompositeTargets& targets) {
+  PELAGIC_CHECK(validate(targets, water));
+  Composite::Impl& shared = *composite.impl_;
+  auto impl = std::make_unique<Impl>();
+  impl->context = shared.context;
+  impl->targets = targets;
+  const Variant variant{targets.color.has_value(), targets.normal.has_value(), targets.slopeVariance.has_value(),
+                        targets.mergedDepth.has_value()};
+  PELAGIC_TRY(passes, shared.passes(variant));
+  impl->passes = passes;
+
+  using Usage = vk::BufferUsageFlagBits;
+  PELAGIC_TRY(frame, gpu::Buffer::create(*impl->context, Stage::composite, "composite frame",
+                                         sizeof(shader::CompositeFrame), Usage::eUniformBuffer | Usage::eTransferDst));
+  const VkExtent2D extent = targets.output.extent;
+  const vk::DeviceSize count =
+      vk::DeviceSize{gpu::groups(extent.width, shader::kTileSize)} * gpu::groups(extent.height, shader::kTileSize);
+  PELAGIC_TRY(tiles, gpu::Buffer::create(*impl->context, Stage::composite, "composite tiles",
+                                         (shader::kTileListStart + shader::kTileLists * count) * sizeof(std::uint32_t),
+                                         Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferDst));
+  impl->frame = std::move(frame);
+  impl->tiles = std::move(tiles);
+  PELAGIC_TRY(set, impl->passes->water.createSet("composite view"));
+  impl->set = std::move(set);
+  impl->writeSet(shared, waves, sky, water);
+  return CompositeView(std::move(impl));
+}
+
+void CompositeView::Impl::recordInputs(vk::CommandBuffer commands, const shader::CompositeFrame& block) noexcept {
+  gpu::Barrier().buffer(frame, gpu::kTransferWrite).buffer(tiles, gpu::kTransferWrite).record(*context, commands);
+  commands.updateBuffer(frame.handle(), 0, sizeof(block), &block, context->dispatch);
+  // Per list an indirect dispatch of no groups, and no tiles.
+  constexpr std::array<std::uint32_t, 4 * shader::kTileLists> kEmpty{0, 0, 1, 0, 0, 0, 1, 0};
+  commands.updateBuffer(tiles.handle(), 0, sizeof(kEmpty), kEmpty.data(), context->dispatch);
+  gpu::Barrier().buffer(frame, gpu::kComputeRead).buffer(tiles, kComputeReadWrite).record(*context, commands);
+}
+
+void CompositeView::Impl::recordTargets(vk::CommandBuffer commands, bool before) noexcept {
+  gpu::Barrier barrier;
+  const auto add = [&](const HostImage& image, const ImageState& inside, bool written, vk::ImageAspectFlags aspect) {
+    ImageState outside = before ? image.before : image.after;
+    if (before && written) outside.layout = VK_IMAGE_LAYOUT_UNDEFINED;  // every pixel is written
+    barrier.image(image.image, aspect, before ? outside : inside, before ? inside : outside);
+  };
+  const auto color = vk::ImageAspectFlagBits::eColor;
+  add(targets.output, gpu::kComputeStorageWrite, true, color);
+  for (const auto* image : {&targets.normal, &targets.slopeVariance, &targets.mergedDepth}) {
+    if (*image) add(**image, gpu::kComputeStorageWrite, true, color);
+  }
+  if (targets.color) {
+    add(*targets.color, gpu::kComputeSampled, false, color);
+    add(*targets.depth, gpu::kComputeSampled, false, vk::ImageAspectFlagBits::eDepth);
+  }
+  barrier.record(*context, commands);
+}
+
+void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves, const Camera& camera,
+                           const WaterMedium& medium, Timings* timings) noexcept {
+  const vk::CommandBuffer commands(commandBuffer);
+  Impl& view = *impl_;
+  const VkExtent2D extent = view.targets.output.extent;
+  const auto measured = [&](const char* name, const auto& pass) {
+    if (timings) timings->begin(commandBuffer, name);
+    pass();
+    if (timings) timings->end(commandBuffer);
+  };
+  measured("composite classify", [&] {
+    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent));
+    view.recordTargets(commands, true);
+    view.passes->classify.bind(commands, view.set);
+    view.passes->classify.dispatch(commands, gpu::groups(extent.width, shader::kTileSize),
+                                   gpu::groups(extent.height, shader::kTileSize));
+    gpu::Barrier().buffer(view.tiles, kComputeReadIndirect).record(*view.context, commands);
+  });
+  const auto shade = [&](const gpu::ComputePass& pass, std::uint32_t list) {
+    pass.bind(commands, view.set);
+    pass.dispatchIndirect(commands, view.tiles.handle(), list * 4 * sizeof(std::uint32_t));
+  };
+  measured("composite sky", [&] { shade(view.passes->sky, shader::kSkyTiles); });
+  measured("composite water", [&] { shade(view.passes->water, shader::kWaterTiles); });
+  view.recordTargets(commands, false);
+}
+
+}  // namespace pelagic

@@ -1,0 +1,56 @@
+#include <cmath>
+#include <composite/frame.hpp>
+#include <pelagic/wave_sampling.hpp>
+
+#include "physics/optics.glsl"
+
+namespace pelagic {
+namespace {
+
+/// Pixels to world: the point with the clip-space w behind a pixel is w times a vector that is linear in the pixel,
+/// since a perspective projection puts only a multiple of the view's z into w.
+void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& frame) noexcept {
+  const glm::dmat4 unproject = glm::inverse(glm::dmat4(camera.projection));
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(camera.rotation));
+  const auto ray = [&](double x, double y) {
+    const glm::dvec4 clip(2 * (x + 0.5) / extent.width - 1, 2 * (y + 0.5) / extent.height - 1, 1, 1);
+    return toWorld * glm::dvec3(unproject * clip);
+  };
+  const glm::dvec3 origin = ray(0, 0);
+  const glm::dvec3 x = ray(1, 0) - origin;
+  const glm::dvec3 y = ray(0, 1) - origin;
+  // depth w = P22 z + P32 and w = P23 z, so w = P32 / (depth - P22/P23).
+  const glm::dmat4 p(camera.projection);
+  const double far = camera.reversedDepth ? 0 : 1;
+  frame.ray = glm::vec4(glm::dvec4(origin, p[3][2]));
+  frame.rayX = glm::vec4(glm::dvec4(x, p[2][2] / p[2][3]));
+  frame.rayY = glm::vec4(glm::dvec4(y, far));
+  frame.waterAlbedo.w = static_cast<float>(std::sqrt(glm::length(x) * glm::length(y)));
+  frame.nearer = camera.reversedDepth ? 1.0f : -1.0f;
+}
+
+}  // namespace
+
+shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
+                                      VkExtent2D extent) noexcept {
+  shader::CompositeFrame frame{};
+  const glm::dvec2 eye(camera.position.x, camera.position.z);
+  frame.waves = waveSampling(waves, eye);
+  frame.absorption = glm::vec4(medium.absorption, static_cast<float>(camera.position.y));
+  const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
+  frame.waterAlbedo = glm::vec4(albedo, 0);
+  setRays(camera, extent, frame);
+  // In double precision, since the eye may be 1e9 m from the origin.
+  const glm::dvec2 wind(std::cos(waves.windDirection), std::sin(waves.windDirection));
+  const glm::dvec2 along(glm::dot(eye, wind), glm::dot(eye, glm::dvec2(-wind.y, wind.x)));
+  // Twice the period along the wind, where the pattern is drawn out by two.
+  const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
+  frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
+  frame.width = extent.width;
+  frame.height = extent.height;
+  const std::uint32_t tile = shader::kTileSize;
+  frame.tiles = ((extent.width + tile - 1) / tile) * ((extent.height + tile - 1) / tile);
+  return frame;
+}
+
+}  // namespace pelagic

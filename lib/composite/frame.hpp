@@ -1,0 +1,14 @@
+/// The composite passes' frame block from what the API gives.
+#pragma once
+
+#include <pelagic/camera.hpp>
+#include <pelagic/composite.hpp>
+
+#include "shared/composite.h"
+
+namespace pelagic {
+
+shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
+                                      VkExtent2D extent) noexcept;
+
+}  // namespace pelagic

@@ -1,0 +1,80 @@
+#include <composite/targets.hpp>
+#include <gpu/context.hpp>
+#include <initializer_list>
+#include <string>
+
+namespace pelagic {
+namespace {
+
+std::string sizeOf(VkExtent2D extent) { return std::to_string(extent.width) + " x " + std::to_string(extent.height); }
+
+Result<void> checkImage(const HostImage& image, const std::string& name, VkExtent2D extent,
+                        std::initializer_list<VkFormat> formats) {
+  if (image.image == VK_NULL_HANDLE || image.view == VK_NULL_HANDLE) return gpu::reject(name + " is null");
+  std::string allowed;
+  bool fits = false;
+  for (const VkFormat format : formats) {
+    fits = fits || image.format == format;
+    allowed += (allowed.empty() ? "" : " or ") + vk::to_string(vk::Format(format));
+  }
+  if (!fits) {
+    return gpu::reject(name + ".format is " + vk::to_string(vk::Format(image.format)) + ", it must be " + allowed);
+  }
+  if (image.extent.width != extent.width || image.extent.height != extent.height) {
+    return gpu::reject(name + ".extent is " + sizeOf(image.extent) + ", it must be " + sizeOf(extent));
+  }
+  if (image.after.layout == VK_IMAGE_LAYOUT_UNDEFINED) return gpu::reject(name + ".after.layout is UNDEFINED");
+  return {};
+}
+
+Result<void> checkRange(const glm::vec3& value, const std::string& name, float low, float high) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(value[i] >= low && value[i] <= high)) {
+      return gpu::reject(name + "[" + std::to_string(i) + "] is " + std::to_string(value[i]) + ", it must be " +
+                         std::to_string(low) + " to " + std::to_string(high) + " 1/m");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validate(const WaterMedium& medium) {
+  PELAGIC_CHECK(checkRange(medium.absorption, "WaterMedium::absorption", 1e-4f, 100));
+  PELAGIC_CHECK(checkRange(medium.backscatter, "WaterMedium::backscatter", 0, 100));
+  return {};
+}
+
+Result<void> validate(const CompositeTargets& targets, const WaterBuffer& water) {
+  const VkExtent2D extent = water.depth.extent;
+  const std::string name = "CompositeTargets::";
+  const auto half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
+  const auto float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
+  PELAGIC_CHECK(checkImage(targets.output, name + "output", extent, {half4, float4}));
+  if (targets.color.has_value() != targets.depth.has_value()) {
+    return gpu::reject(name + "color and depth must be given both or neither");
+  }
+  if (targets.color) {
+    // Any format with linear values that a shader can sample.
+    PELAGIC_CHECK(checkImage(*targets.color, name + "color", extent, {targets.color->format}));
+    PELAGIC_CHECK(checkImage(*targets.depth, name + "depth", extent, {VK_FORMAT_D32_SFLOAT}));
+  }
+  if (targets.normal) PELAGIC_CHECK(checkImage(*targets.normal, name + "normal", extent, {half4, float4}));
+  if (targets.slopeVariance) {
+    PELAGIC_CHECK(checkImage(*targets.slopeVariance, name + "slopeVariance", extent,
+                             {VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R32G32_SFLOAT}));
+  }
+  if (targets.mergedDepth) {
+    PELAGIC_CHECK(checkImage(*targets.mergedDepth, name + "mergedDepth", extent, {VK_FORMAT_R32_SFLOAT}));
+  }
+  return {};
+}
+
+Result<void> validate(const ToneMapInfo& info) {
+  PELAGIC_CHECK(checkImage(info.input, "ToneMapInfo::input", info.output.extent,
+                           {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT}));
+  PELAGIC_CHECK(checkImage(info.output, "ToneMapInfo::output", info.output.extent, {VK_FORMAT_R8G8B8A8_UNORM}));
+  return {};
+}
+
+}  // namespace pelagic

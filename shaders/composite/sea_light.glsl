@@ -1,0 +1,96 @@
+// Light that comes from a point of the sea.
+#ifndef PELAGIC_COMPOSITE_SEA_LIGHT_GLSL
+#define PELAGIC_COMPOSITE_SEA_LIGHT_GLSL
+#include "physics/ocean_brdf.glsl"
+#include "physics/optics.glsl"
+
+float meanFresnel(float cosView, float deviation) {
+  vec2 place = fresnelTablePlace(cosView, deviation);
+  ivec2 low = min(ivec2(place), ivec2(kFresnelTableWidth - 2, kFresnelTableHeight - 2));
+  vec2 f = place - vec2(low);
+  int i = low.y * kFresnelTableWidth + low.x;
+  return mix(mix(fresnelTable[i], fresnelTable[i + 1], f.x),
+             mix(fresnelTable[i + kFresnelTableWidth], fresnelTable[i + kFresnelTableWidth + 1], f.x), f.y);
+}
+
+vec3 mirrored(vec3 v, vec2 slope) {
+  vec3 n = normalize(vec3(-slope.x, 1, -slope.y));
+  return 2.0 * dot(n, v) * n - v;
+}
+
+// Place of a direction in the environment map; below the horizon, the horizon.
+vec2 environmentPlace(vec3 r) {
+  vec2 s = r.xz / max(1.0 + r.y, 0.05);
+  return 0.5 + 0.5 * kEnvironmentScale * s * min(1.0, inversesqrt(max(dot(s, s), 1e-8)));
+}
+
+// Mean radiance of the sky over what a Gaussian of slopes mirrors: two taps along the longer axis of the ellipse that two
+// standard deviations make in the map.
+vec3 environment(vec3 v, vec2 slope, vec3 covariance) {
+  const float kStep = 0.02;
+  vec2 u = environmentPlace(mirrored(v, slope));
+  vec2 ux = (environmentPlace(mirrored(v, slope + vec2(kStep, 0))) - u) / kStep;
+  vec2 uy = (environmentPlace(mirrored(v, slope + vec2(0, kStep))) - u) / kStep;
+  // J C J', the covariance in the map.
+  vec2 cx = covariance.x * ux + covariance.z * uy;
+  vec2 cy = covariance.z * ux + covariance.y * uy;
+  float xx = cx.x * ux.x + cy.x * uy.x;
+  float yy = cx.y * ux.y + cy.y * uy.y;
+  float xy = cx.x * ux.y + cy.x * uy.y;
+  float centre = 0.5 * (xx + yy);
+  float spread = sqrt(max(0.25 * (xx - yy) * (xx - yy) + xy * xy, 0.0));
+  float major = sqrt(centre + spread);
+  float minor = sqrt(max(centre - spread, 0.0));
+  vec2 axis = abs(xy) > 1e-12 ? normalize(vec2(xy, centre + spread - xx)) : (xx > yy ? vec2(1, 0) : vec2(0, 1));
+  float size = float(textureSize(environmentMap, 0).x);
+  float lod = log2(max(2.0 * size * max(minor, 0.6 * major), 1.0));
+  vec4 sum = textureLod(environmentMap, u - 0.75 * major * axis, lod) +
+             textureLod(environmentMap, u + 0.75 * major * axis, lod);
+  return sum.rgb / max(sum.a, 0.02);
+}
+
+// Radiance from below the surface, of the light that entered it [per unit of 1 - F].
+vec3 waterRadiance(vec3 l) {
+  return frame.waterAlbedo.rgb * enteringIrradiance(light.sunIrradiance.rgb, l.y, light.skyIrradiance.rgb);
+}
+
+// Light of the sky behind a crest that is thin enough to be seen through: into the near face and out of the far one,
+// coloured by absorption on the way. How far the water is pushed together tells how thin a crest is; only crests seen
+// against the light show it, since there the bright sky stands behind them.
+vec3 crestLight(SeaPoint sea, vec3 v, vec3 l, vec3 behind) {
+  float sharp = smoothstep(0.35, 0.95, sea.compression);
+  float against = clamp(-dot(v.xz, l.xz) * inversesqrt(max(dot(v.xz, v.xz), 1e-6)), 0.0, 1.0);
+  float path = mix(3.0, 0.6, sharp);
+  return behind * (0.35 * sharp * against) * exp(-frame.absorption.rgb * path);
+}
+
+// Radiance of the sea without foam toward v; v and l in the level frame of the point. `horizon`: the sky's radiance at the
+// horizon beyond the point.
+vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
+  Visibility seen = visibility(v, sea.slope, sea.residual);
+  vec3 under = waterRadiance(l);
+
+  float deviation = seen.deviation * inversesqrt(max(dot(v.xz, v.xz), 1e-6)) * sea.normal.y;
+  float fresnel = meanFresnel(dot(v, sea.normal), deviation);
+  vec2 slope = sea.slope + visibleShift(seen, v, sea.residual);
+  vec3 covariance = visibleCovariance(seen, v, sea.residual);
+  vec3 sky = environment(v, slope, covariance);
+  // Part of the facets mirror what lies below the horizon, which is sea: the sky once more, mirrored at grazing incidence.
+  float elevation = mirrored(v, slope).y;
+  float spread = 2.0 * sqrt(max(covarianceAlong(covariance, v.xz * inversesqrt(max(dot(v.xz, v.xz), 1e-6))), 1e-8));
+  float above = 1.0 / (1.0 + exp(-1.702 * clamp(elevation / spread, -20.0, 20.0)));
+  vec3 reflected = mix(0.5 * (sky + under), sky, above);
+
+  vec2 mirror = mirrorSlope(v, l);
+  vec3 h = normalize(v + l);
+  float cosIncidence = max(dot(v, h), 0.0);
+  vec3 wide = sea.residual + discCovariance(mirror, l, cosIncidence, 0.004675);
+  Visibility lit = visibility(l, sea.slope, sea.residual);
+  float glint = sunReflection(seen, lit, mirror, sea.slope, wide) * fresnelReflectance(cosIncidence, kWaterIndex);
+  // No mirror is brighter than the sun.
+  vec3 sun = min(light.sunIrradiance.rgb * glint, light.sunRadiance.rgb);
+
+  return fresnel * reflected + sun + (1.0 - fresnel) * (under + crestLight(sea, v, l, horizon));
+}
+
+#endif

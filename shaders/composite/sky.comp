@@ -1,0 +1,25 @@
+#version 460
+// Tiles without water: the sky, or the host's picture where it is nearer than the far plane.
+#extension GL_GOOGLE_include_directive : require
+#include "composite/bindings.glsl"
+#include "composite/sky_lookup.glsl"
+#include "composite/tiles.glsl"
+
+void main() {
+  Tile tile = readTile(kSkyTiles);
+  if (!tile.valid) return;
+  vec3 ray = pixelRay(tile.pixel);
+  float inverseLength = inversesqrt(dot(ray, ray));
+  vec3 d = ray * inverseLength;
+  vec3 radiance = skyRadiance(d) + sunDisc(d, frame.waterAlbedo.w * inverseLength);
+  float depth = frame.rayY.w;
+  if (kHasHost) {
+    Pixel pixel = readPixel(tile.pixel);
+    if (pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
+    depth = pixel.depth;
+  }
+  writeRadiance(tile.pixel, radiance);
+  if (kHasNormal) imageStore(normalImage, tile.pixel, vec4(0));
+  if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(0));
+  if (kHasMergedDepth) imageStore(mergedDepthImage, tile.pixel, vec4(depth));
+}

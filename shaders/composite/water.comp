@@ -1,0 +1,63 @@
+#version 460
+// Tiles with water: the sea's light and foam through the air; other pixels of such a tile are sky or the host's picture.
+#extension GL_GOOGLE_include_directive : require
+#include "composite/bindings.glsl"
+#include "composite/sky_lookup.glsl"
+#include "composite/sea_slopes.glsl"
+#include "composite/sea_light.glsl"
+#include "composite/foam.glsl"
+#include "composite/tiles.glsl"
+
+const float kEarthRadius = 6371000.0;
+
+// Transmittance of the air between the eye and the water `distance` [m] away.
+vec3 airTransmittance(float distance) {
+  float height = max(frame.absorption.w, 0.0);
+  vec3 depth = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
+               light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
+  return exp(-depth * distance);
+}
+
+// A direction in the level frame of a point that lies p [m] from the eye: the Earth's curvature tilts the vertical.
+vec3 levelled(vec3 d, vec2 p) {
+  vec2 tilt = p / kEarthRadius;
+  return vec3(d.xz - tilt * d.y, d.y + dot(d.xz, tilt)).xzy;
+}
+
+void main() {
+  Tile tile = readTile(kWaterTiles);
+  if (!tile.valid) return;
+  Pixel pixel = readPixel(tile.pixel);
+  vec3 ray = pixelRay(tile.pixel);
+  float rayLength = length(ray);
+  vec3 d = ray / rayLength;
+
+  // The same lookup serves the sky of a sky pixel and the horizon beyond a water pixel.
+  vec3 beyond = skyRadiance(pixel.water ? vec3(d.x, 0, d.z) : d);
+  vec3 radiance = beyond;
+  vec4 normal = vec4(0);
+  vec2 variance = vec2(0);
+  if (pixel.water) {
+    float axial = axialDistance(pixel.waterDepth);
+    float away = axial * rayLength;
+    vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
+    vec3 v = levelled(-d, p);
+    vec3 l = levelled(light.sunDirection.xyz, p);
+    Footprint footprint = footprintOf(v, axial * frame.waterAlbedo.w);
+    SeaPoint sea = seaPoint(p, footprint, tile.cascades);
+    Foam foam = foamAt(sea.foam, p, footprint.sampled);
+    vec3 foamLight = light.sunIrradiance.rgb * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
+    radiance = mix(seaRadiance(sea, v, l, beyond), foamLight * (foam.albedo / kPi), foam.cover);
+    radiance = mix(beyond, radiance, airTransmittance(away));
+    normal = vec4(sea.normal, foam.cover);
+    variance = sea.residual.xy;
+  } else {
+    radiance += sunDisc(d, frame.waterAlbedo.w / rayLength);
+  }
+  if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
+
+  writeRadiance(tile.pixel, radiance);
+  if (kHasNormal) imageStore(normalImage, tile.pixel, normal);
+  if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(variance, 0, 0));
+  if (kHasMergedDepth) imageStore(mergedDepthImage, tile.pixel, vec4(pixel.depth));
+}

@@ -1,0 +1,38 @@
+// What the composite passes share: one frame of one view, and the tile lists.
+#ifndef PELAGIC_SHARED_COMPOSITE_H
+#define PELAGIC_SHARED_COMPOSITE_H
+#include "pelagic/shader/wave_sampling.h"
+
+PELAGIC_SHADER_BEGIN
+
+// Side of a tile, which is a work-group [px].
+PELAGIC_SHADER_CONSTANT uint kTileSize = 8u;
+// Tiles of a list dispatched along x before the next row of groups starts; below every device's limit.
+PELAGIC_SHADER_CONSTANT uint kTilesPerRow = 32768u;
+// Tile lists.
+PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // no water seen: sky, or the host's picture
+PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel
+PELAGIC_SHADER_CONSTANT uint kTileLists = 2u;
+// 32-bit words before the first list, so that the lists lie at a storage buffer offset of their own.
+PELAGIC_SHADER_CONSTANT uint kTileListStart = 64u;
+// The foam pattern repeats after this many metres, along and across the wind.
+PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
+
+struct CompositeFrame {
+  WaveSampling waves;
+  // The point of a pixel with the clip-space w is w (ray + x rayX + y rayY), world axes, from the eye; (0,0) is the
+  // centre of the first pixel.
+  vec4 ray;          // w: B of w = B / (depth - A) [m]
+  vec4 rayX;         // w: A
+  vec4 rayY;         // w: the depth of the far plane
+  vec4 absorption;   // a [1/m] per channel; w: height of the eye over the still water below it [m]
+  vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
+  vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
+  uint width;        // of the view [px]
+  uint height;
+  uint tiles;    // capacity of each list
+  float nearer;  // 1: greater depth is nearer, -1: less is
+};
+
+PELAGIC_SHADER_END
+#endif
