@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include "failure.hpp"
 
@@ -22,13 +23,29 @@ void refuse(const std::string& where, std::string_view text, std::string_view al
   throw Failure(ExitCode::badInput, fmt::format("{} is '{}', allowed: {}", where, text, allowed));
 }
 
-double parseNumber(const std::string& where, std::string_view text, const Range& range) {
+namespace {
+
+std::optional<double> numberIn(std::string_view text, const Range& range) {
   double value = std::numeric_limits<double>::quiet_NaN();
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
   const bool inside = (range.openMin ? value > range.min : value >= range.min) && value <= range.max;
-  if (!whole || !inside) refuse(where, text, describe(range));
-  return value;
+  return whole && inside ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+double parseNumber(const std::string& where, std::string_view text, const Range& range) {
+  const auto value = numberIn(text, range);
+  if (!value) refuse(where, text, describe(range));
+  return *value;
+}
+
+double parsePart(const std::string& where, std::string_view text, std::string_view part, std::string_view name,
+                 const Range& range) {
+  const auto value = numberIn(part, range);
+  if (!value) refuse(where, text, fmt::format("{} {}", name, describe(range)));
+  return *value;
 }
 
 std::uint64_t parseWhole(const std::string& where, std::string_view text, std::uint64_t min, std::uint64_t max) {
@@ -51,9 +68,10 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 glm::dvec3 parseVector(const std::string& where, std::string_view text, const Range& range) {
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 3) refuse(where, text, "three numbers with commas, each " + describe(range));
+  const std::string name = "three numbers with commas, each";
+  if (parts.size() != 3) refuse(where, text, name + " " + describe(range));
   glm::dvec3 vector{};
-  for (int i = 0; i < 3; ++i) vector[i] = parseNumber(where, parts[static_cast<std::size_t>(i)], range);
+  for (int i = 0; i < 3; ++i) vector[i] = parsePart(where, text, parts[static_cast<std::size_t>(i)], name, range);
   return vector;
 }
 

@@ -24,6 +24,9 @@ std::string describe(const Range& range);
 /// Throws a Failure that names all of it when `text` is anything else.
 double parseNumber(const std::string& where, std::string_view text, const Range& range);
 std::uint64_t parseWhole(const std::string& where, std::string_view text, std::uint64_t min, std::uint64_t max);
+/// One of several numbers in `text`; a Failure names the whole text and which part of it is wrong.
+double parsePart(const std::string& where, std::string_view text, std::string_view part, std::string_view name,
+                 const Range& range);
 /// "x,y,z", every component within the same range.
 glm::dvec3 parseVector(const std::string& where, std::string_view text, const Range& range);
 std::vector<std::string> split(std::string_view text, char separator);

@@ -41,6 +41,7 @@ void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint3
   }
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
+  spec.attribute("DateTime", "");  // else the moment of writing: the same input gives the same file
   const std::size_t count = std::size_t{width} * height;
   std::vector<std::byte> packed(count * pixelBytes);
   std::size_t offset = 0;

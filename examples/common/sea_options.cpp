@@ -18,10 +18,10 @@ pelagic::Swell parseSwell(const std::string& where, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 3 || parts.size() > 4) refuse(where, text, "HS_M,TP_S,DEG or HS_M,TP_S,DEG,SPREAD");
   pelagic::Swell swell;
-  swell.significantHeight = parseNumber(where + "'s height", parts[0], {0, 20, "m", true});
-  swell.peakPeriod = parseNumber(where + "'s period", parts[1], {1, 30, "s"});
-  swell.direction = parseNumber(where + "'s direction", parts[2], {-360, 360, "degrees"}) * kDegree;
-  if (parts.size() == 4) swell.spread = parseNumber(where + "'s spread", parts[3], {1, 200, ""});
+  swell.significantHeight = parsePart(where, text, parts[0], "a height of", {0, 20, "m", true});
+  swell.peakPeriod = parsePart(where, text, parts[1], "a period of", {1, 30, "s"});
+  swell.direction = parsePart(where, text, parts[2], "a direction of", {-360, 360, "degrees"}) * kDegree;
+  if (parts.size() == 4) swell.spread = parsePart(where, text, parts[3], "a spread of", {1, 200, ""});
   return swell;
 }
 

@@ -1,0 +1,82 @@
+#include "scene.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include "settings_file.hpp"
+
+namespace common {
+namespace {
+
+const double kDegree = glm::pi<double>() / 180;  // [rad]
+
+Field colorField(std::string name, std::string help, const Range& range, glm::vec3& target) {
+  return {std::move(name), "R,G,B", std::move(help) + ", each " + describe(range),
+          [range, &target](const std::string& where, const std::vector<std::string>& texts) {
+            target = glm::vec3(parseVector(where, texts.front(), range));
+          }};
+}
+
+Fields sceneFields(Scene& scene) {
+  const Fields own{
+      {"title", "TEXT", "What the scene shows",
+       [&scene](const std::string&, const std::vector<std::string>& texts) { scene.title = texts.front(); }},
+      numberField("time", "S", "The moment", {-1e9, 1e9, "s"}, scene.time),
+  };
+  return own + seaFields(scene.sea) + lightFields(scene);
+}
+
+std::string sceneNames() {
+  std::string list;
+  for (const BuiltinScene& builtin : builtinScenes()) list += std::string(builtin.name) + ", ";
+  return list + "or a FILE.toml that can be read";
+}
+
+}  // namespace
+
+Fields lightFields(Scene& scene) {
+  const Fields sky{
+      numberField("sun-elevation", "DEG", "Height of the sun above the horizon", {-90, 90, "degrees"},
+                  scene.sky.sunElevation, kDegree),
+      numberField("sun-azimuth", "DEG", "Direction to the sun, from +x turning to +z", {-360, 360, "degrees"},
+                  scene.sky.sunAzimuth, kDegree),
+      numberField("overcast", "X", "0 clear sky, 1 overcast", {0, 1, ""}, scene.sky.overcast),
+      numberField("haze", "X", "Aerosol, 1 is clean air over the sea", {0, 20, ""}, scene.sky.haze),
+      colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
+      colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
+      numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
+                  scene.exposure),
+  };
+  return sky + viewFields(scene.view);
+}
+
+void loadScene(const std::string& option, const std::string& name, Scene& scene) {
+  scene = Scene{};
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    if (builtin.name == name) return applySettings(name, builtin.text, sceneFields(scene));
+  }
+  const bool file = name.size() > 5 && name.compare(name.size() - 5, 5, ".toml") == 0;
+  if (!file) refuse(option, name, sceneNames());
+  applySettings(name, readTextFile(option, name), sceneFields(scene));
+}
+
+std::string listScenes() {
+  std::string list;
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    Scene scene;
+    loadScene("--scene", std::string(builtin.name), scene);
+    list += fmt::format("{:<16}{}\n", builtin.name, scene.title);
+  }
+  return list;
+}
+
+pelagic::OceanInfo oceanInfo(const Scene& scene) {
+  pelagic::OceanInfo info;
+  info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);
+  info.sky = scene.sky;
+  info.medium = scene.medium;
+  return info;
+}
+
+}  // namespace common

@@ -1,0 +1,40 @@
+/// A scene: sea, sky, water and camera of one picture.
+#pragma once
+
+#include <pelagic/ocean.hpp>
+#include <span>
+
+#include "sea_options.hpp"
+#include "view.hpp"
+
+namespace common {
+
+struct Scene {
+  std::string title;
+  double time = 0;  ///< [s]
+  SeaSettings sea;
+  pelagic::SkyState sky;
+  pelagic::WaterMedium medium;
+  View view;
+  double exposure = 0;  ///< [EV]
+};
+
+/// A scene that is built into the programs, as TOML.
+struct BuiltinScene {
+  std::string_view name;
+  std::string_view text;
+};
+std::span<const BuiltinScene> builtinScenes();
+inline constexpr std::string_view kDefaultScene = "trade-wind";
+
+/// Setters of everything but the sea; `scene` must outlive them.
+Fields lightFields(Scene& scene);
+/// Replaces the whole scene by a built-in one or by the file `name`.
+/// Throws a Failure that names `option` or the file's line.
+void loadScene(const std::string& option, const std::string& name, Scene& scene);
+/// Names and titles, one line each.
+std::string listScenes();
+
+pelagic::OceanInfo oceanInfo(const Scene& scene);
+
+}  // namespace common
