@@ -144,6 +144,7 @@ WaveMaps Waves::maps() const noexcept {
   const WaveImages& images = impl_->images;
   maps.displacement = images.displacement[impl_->newest].map();
   maps.previousDisplacement = images.displacement[1 - impl_->newest].map();
+  maps.displacementPair = {images.displacement[0].map(), images.displacement[1].map()};
   maps.gradient = images.gradient.map();
   maps.moments = images.moments.map();
   maps.foam = images.foam.map();
