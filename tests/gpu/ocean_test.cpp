@@ -116,7 +116,9 @@ TEST_F(OceanTest, TwoRecordedFramesGiveTheSameBitsAsFramesOneByOne) {
   stronger.windSpeed = 9;
   for (std::size_t i = 0; i < 2; ++i) {
     // The second frame changes the sea while the first is not even submitted.
-    if (i == 1) ASSERT_TRUE(ocean.setSea(stronger));
+    if (i == 1) {
+      ASSERT_TRUE(ocean.setSea(stronger));
+    }
     buffers[i]->begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
     ocean.record(*buffers[i], 1 + static_cast<double>(i));
     view.record(*buffers[i], camera);
