@@ -1,0 +1,78 @@
+// One work-group is one block of the grid: places its vertices on the displaced sea and tells whether any of it can be
+// seen. Neighbours evaluate their common vertices from the same numbers: no cracks.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "surface/surface_frame.h"
+#include "pelagic/shader/wave_lookup.glsl"
+#include "surface/earth.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+layout(set = 0, binding = 0, std140) uniform Frame { SurfaceFrame frame; };
+layout(set = 0, binding = 1, std430) readonly buffer Rows { vec2 rows[]; };
+layout(set = 0, binding = 2) uniform sampler2DArray displacement;
+layout(set = 0, binding = 3) uniform sampler2DArray previousDisplacement;
+// Two per vertex: relative position, previous clip x | undisplaced (x,z), previous clip y and w.
+layout(set = 0, binding = 4, std430) writeonly buffer Vertices { vec4 vertices[]; };
+// Of every block: 1 when it is in the picture.
+layout(set = 0, binding = 5, std430) writeonly buffer Flags { uint flags[]; };
+
+shared uint outside;  // bits of what every vertex of the block lies outside of
+
+// Low-passed to the grid's spacing `footprint` [m], so that the moving grid never shows: waves shorter than a cell are
+// left to shading.
+vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
+  vec3 sum = vec3(0);
+  for (uint c = 0; c < frame.waves.cascades; ++c) {
+    vec4 placement = frame.waves.placement[c];
+    float lod = waveLod(placement, float(frame.waves.size), footprint);
+    // The last mip is the patch's mean, which is zero.
+    if (lod < frame.waves.maxLod) sum += textureLod(map, vec3(waveUv(placement, p), float(c)), lod).xyz;
+  }
+  return sum;
+}
+
+// The longer side of the cells around a row [m].
+float cellLength(uint j, float lateral) {
+  uint before = j > 0 ? j - 1 : 0;
+  uint after = min(j + 1, frame.lastRow);
+  return max(lateral, (rows[after].x - rows[before].x) / float(after - before));
+}
+
+// Bits 0 to 3: beyond a side of the picture, bit 4: drawn in to the far circle. The margin covers rounding.
+uint outcode(vec4 clip, bool drawnIn) {
+  float w = clip.w + 1e-4 * abs(clip.w);
+  return uint(clip.x < -w) | uint(clip.x > w) << 1 | uint(clip.y < -w) << 2 | uint(clip.y > w) << 3 |
+         uint(drawnIn) << 4;
+}
+
+void main() {
+  uvec2 index = gl_WorkGroupID.xy * kBlockCells + gl_LocalInvocationID.xy;
+  vec2 row = rows[index.y];
+  vec2 local = vec2((frame.firstColumn + float(index.x) * frame.columnStep) * row.y, row.x);
+  float range = length(local);
+  bool drawnIn = range >= frame.radius;
+  if (drawnIn) local *= frame.radius / range;
+  vec2 ground = local.x * frame.axes.xy + local.y * frame.axes.zw;
+
+  float footprint = cellLength(index.y, frame.columnStep * row.y);
+  vec3 now = displaced(displacement, ground, footprint);
+  vec3 position = now + vec3(ground.x, -curvatureDrop(dot(ground, ground)) - frame.cameraHeight, ground.y);
+  vec2 previousGround = ground + frame.previousOffset.xz;
+  vec3 before = displaced(previousDisplacement, ground, footprint) +
+                vec3(previousGround.x, -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w,
+                     previousGround.y);
+  vec4 previous = frame.previousClip * vec4(before, 1);
+
+  if (gl_LocalInvocationIndex == 0) outside = ~0u;
+  barrier();
+  atomicAnd(outside, outcode(frame.clip * vec4(position, 1), drawnIn));
+  barrier();
+  uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (gl_LocalInvocationIndex == 0) flags[block] = uint(outside == 0);
+  if (outside == 0) {
+    uint base = 2 * (block * kBlockVertices + gl_LocalInvocationIndex);
+    vertices[base] = vec4(position, previous.x);
+    vertices[base + 1] = vec4(ground, previous.yw);
+  }
+}
