@@ -22,7 +22,26 @@ Field pointField(std::string name, std::string help, glm::dvec3& target) {
           }};
 }
 
+VkExtent2D parseExtent(const std::string& where, const std::string& text) {
+  const Range range{1, 16384, "pixels"};
+  const std::vector<std::string> sides = split(text, 'x');
+  if (sides.size() != 2) refuse(where, text, "WxH, each " + describe(range));
+  const auto side = [&](const std::string& part) {
+    const double pixels = parsePart(where, text, part, "WxH, each", range);
+    if (pixels != std::floor(pixels)) refuse(where, text, "WxH, each a whole number, " + describe(range));
+    return static_cast<std::uint32_t>(pixels);
+  };
+  return {side(sides[0]), side(sides[1])};
+}
+
 }  // namespace
+
+Field extentField(std::string name, const std::string& help, VkExtent2D& extent) {
+  return {std::move(name), "WxH", help + ", each 1 to 16384 pixels",
+          [&extent](const std::string& where, const std::vector<std::string>& texts) {
+            extent = parseExtent(where, texts.front());
+          }};
+}
 
 Fields viewFields(View& view) {
   return {

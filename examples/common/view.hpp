@@ -1,6 +1,8 @@
 /// The camera as a user places it.
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
 #include <pelagic/camera.hpp>
 
 #include "field.hpp"
@@ -18,6 +20,8 @@ inline constexpr float kNearPlane = 0.1f;
 
 /// Setters of `view`, which must outlive them.
 Fields viewFields(View& view);
+/// WxH in pixels, each 1 to 16384.
+Field extentField(std::string name, const std::string& help, VkExtent2D& extent);
 /// Reversed infinite depth, y down as Vulkan has it. Looking straight up or down, the top of the picture is toward -z.
 /// Throws a Failure when the camera looks at its own place.
 pelagic::Camera cameraOf(const View& view, double aspect);

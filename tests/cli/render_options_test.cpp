@@ -1,0 +1,41 @@
+/// Bad input of pelagic-render: status 2 and one line.
+#include "bad_values.hpp"
+#include "command.hpp"
+
+namespace {
+
+class RenderOptionsTest : public cli::CommandTest {};
+
+const std::vector<cli::Bad>& badPicture() {
+  static const std::vector<cli::Bad> list{
+      {"--scene", {"moon", "missing.toml", "''"}, ""},
+      {"--resolution", {"640", "0x360", "640x0", "-640x360", "16385x1", "640x360x3", "1.5x2", "''"}, "1 to 16384"},
+      {"--first", {"-1", "1.5", "100000001", "''"}, "whole numbers from 0 to 100000000"},
+      {"--camera", {"0,3", "nan,3,0", "2e9,3,0", "0,3,inf", "''"}, "-1000000000 to 1000000000 m"},
+      {"--camera", {"0,-10001,0", "0,100001,0"}, "-10000 to 100000 m"},
+      {"--look-at", {"0", "0,0,1e300", "''"}, "-1000000000 to 1000000000 m"},
+      {"--fov", {"0", "-45", "171", "nan", "''"}, "0.1 to 170 degrees"},
+      {"--sun-elevation", {"91", "-91", "nan", "''"}, "-90 to 90 degrees"},
+      {"--sun-azimuth", {"361", "inf", "''"}, "-360 to 360 degrees"},
+      {"--exposure", {"33", "-33", "nan", "''"}, "-32 to 32 EV"},
+      {"--overcast", {"-0.1", "1.1", "nan", "''"}, "0 to 1"},
+      {"--haze", {"-1", "21", "inf", "''"}, "0 to 20"},
+      {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
+      {"--backscatter", {"-1,0,0", "nan,0,0", "''"}, "0 to 100 1/m"},
+      {"--aov", {"colour", "depth,", "depth,depth", "''"}, ""},
+      {"--output",
+       {"ocean", "ocean.jpg", ".png", "missing/ocean.png", "/proc/ocean.png", "ocean%.png", "ocean%5d.png",
+        "ocean%04d%04d.png", "''"},
+       ""},
+      {"--stats", {"missing/stats.json", "/", "''"}, ""},
+  };
+  return list;
+}
+
+TEST_F(RenderOptionsTest, PictureOutOfRange) {
+  for (const cli::Bad& bad : badPicture()) {
+    for (const char* value : bad.values) refused("render", std::string(bad.option) + " " + value, answer(bad, value));
+  }
+}
+
+}  // namespace
