@@ -89,12 +89,12 @@ TEST_F(WaveFilterTest, HalfMapsAreRoundedSingleMaps) {
   EXPECT_EQ(exact.foam.format, VK_FORMAT_R32_SFLOAT);
   struct Pair {
     const pelagic::MapView *a, *b;
-    double smallest;  ///< Absolute error; moments inherit that of gradients of about 0.3.
+    double smallest;  ///< Absolute error: a mean has that of its larger texels.
   };
-  const Pair pairs[] = {{&exact.displacement, &rounded.displacement, 1e-5},
-                        {&exact.gradient, &rounded.gradient, 1e-5},
+  const Pair pairs[] = {{&exact.displacement, &rounded.displacement, 4e-3},
+                        {&exact.gradient, &rounded.gradient, 1e-3},
                         {&exact.moments, &rounded.moments, 1e-4},
-                        {&exact.foam, &rounded.foam, 1e-5}};
+                        {&exact.foam, &rounded.foam, 1e-3}};
   for (const auto& [a, b, smallest] : pairs) {
     for (std::uint32_t mip = 0; mip < a->mips; ++mip) {
       const auto x = common::readFloats(gpu(), *a, mip, 0);
