@@ -1,6 +1,7 @@
 /// pelagic-render: pictures of an ocean.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <common/failure.hpp>
 #include <common/program.hpp>
@@ -33,22 +34,26 @@ const common::Choices<render::Aov>& aovs() {
   return choices;
 }
 
+std::vector<render::Aov> parseAovs(const std::string& where, const std::string& text) {
+  std::vector<render::Aov> list;
+  for (const std::string& name : common::split(text, ',')) {
+    const auto choice = std::find_if(aovs().begin(), aovs().end(), [&](const auto& c) { return c.first == name; });
+    const bool again = choice != aovs().end() && std::find(list.begin(), list.end(), choice->second) != list.end();
+    if (choice == aovs().end() || again) {
+      common::refuse(where, text, common::names(aovs()) + ", each once, with commas");
+    }
+    list.push_back(choice->second);
+  }
+  return list;
+}
+
 common::Fields pictureFields(Options& options) {
   using Texts = std::vector<std::string>;
   render::RendererInfo& renderer = options.renderer;
   return {
       common::extentField("resolution", "Size of the picture", renderer.extent),
       {"aov", "NAME[,NAME...]", "Further channels of an .exr: " + common::names(aovs()),
-       [&renderer](const std::string& where, const Texts& texts) {
-         renderer.aovs.clear();
-         for (const std::string& name : common::split(texts.front(), ',')) {
-           const render::Aov aov = common::parseChoice(where, name, aovs());
-           if (std::find(renderer.aovs.begin(), renderer.aovs.end(), aov) != renderer.aovs.end()) {
-             common::refuse(where, texts.front(), "every name once");
-           }
-           renderer.aovs.push_back(aov);
-         }
-       }},
+       [&renderer](const std::string& where, const Texts& texts) { renderer.aovs = parseAovs(where, texts.front()); }},
       {"stats", "FILE.json", "Times, memory and the sea as JSON",
        [&options](const std::string&, const Texts& texts) { options.stats = texts.front(); }},
       {"output", "PATH", "Picture: .png tone mapped, .exr linear; with %04d the frames of a sequence",

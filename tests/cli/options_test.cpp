@@ -52,7 +52,7 @@ TEST_F(OptionsTest, FilesAreAnsweredWithTheirLine) {
 }
 
 TEST_F(OptionsTest, HelpAndVersion) {
-  for (const std::string program : {"bake"}) {
+  for (const std::string program : {"bake", "render", "minimal"}) {
     const cli::Outcome help = run(program, "--help");
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.err, "");
@@ -64,6 +64,13 @@ TEST_F(OptionsTest, HelpAndVersion) {
     EXPECT_EQ(version.out, "pelagic-" + program + " " PELAGIC_VERSION "\n");
     EXPECT_EQ(files(), std::vector<std::string>{});
   }
+}
+
+TEST_F(OptionsTest, MinimalWritesItsPicture) {
+  succeed("minimal", "--validate");
+  EXPECT_EQ(files(), std::vector<std::string>{"minimal.png"});
+  std::filesystem::remove(path("minimal.png"));
+  refused("minimal", "--wind 3", {"--wind"});
 }
 
 }  // namespace

@@ -38,4 +38,23 @@ TEST_F(RenderOptionsTest, PictureOutOfRange) {
   }
 }
 
+TEST_F(RenderOptionsTest, ContradictionsAreRefused) {
+  refused("render", "--time 3 --frames 2 --fps 10 --output a%04d.png", {"--time", "'3'", "--frames"});
+  refused("render", "--first 3", {"--first", "'3'", "--frames"});
+  refused("render", "--frames 2 --fps 10 --output a.png", {"--output", "'a.png'", "%04d"});
+  refused("render", "--aov depth --output a.png", {"--aov", "'depth'", ".exr"});
+  refused("render", "--camera 1,2,3 --look-at 1,2,3", {"--look-at", "--camera"});
+  refused("render", "--wind 99", {"--wind", "'99'", "0.1 to 60 m/s"});
+  refused("render", "--device 99", {"--device", "'99'", "allowed: 0 '"});
+}
+
+TEST_F(RenderOptionsTest, SceneFilesAreAnsweredWithTheirLine) {
+  writeFile("a.toml", "wind = 8\nexposur = 2\n");
+  refused("render", "--scene a.toml", {"a.toml:2", "exposur", "allowed: ", "exposure"});
+  writeFile("a.toml", "camera = [0, 3, 0]\n\nfov = 500\n");
+  refused("render", "--scene a.toml", {"a.toml:3", "fov", "'500'", "0.1 to 170 degrees"});
+  writeFile("a.toml", "exposure = 2\n");
+  refused("render", "--sea a.toml", {"a.toml:1", "exposure"});
+}
+
 }  // namespace
