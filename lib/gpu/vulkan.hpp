@@ -2,8 +2,8 @@
 #pragma once
 
 #define VK_NO_PROTOTYPES
-// A host may use vulkan.hpp too, with other settings or another NDEBUG, on which the layout of its classes depends: in a
-// namespace of its own Pelagic's copy cannot be mistaken for the host's when both are linked.
+// A host may use vulkan.hpp too, with other settings or another NDEBUG, on which the layout of its classes depends: in
+// a namespace of its own Pelagic's copy cannot be mistaken for the host's when both are linked.
 #define VULKAN_HPP_NAMESPACE pelagic_vk
 #define VULKAN_HPP_NO_EXCEPTIONS
 // Failures travel in vk::ResultValue; the default assertion would abort a host's debug build instead.

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <waves/transform.hpp>
+#include <waves/filter.hpp>
 
 namespace pelagic {
 namespace {
@@ -28,6 +28,7 @@ struct Waves::Impl {
   std::optional<GridSea> wanted;  ///< By setSea(), for the next record().
   WaveImages images;
   WaveTransform transform;
+  WaveFilter filter;
   std::uint32_t newest = 0;  ///< Of images.displacement.
   std::uint32_t slot = 0;    ///< Of the staging buffers.
   bool uploaded = false;
@@ -57,6 +58,8 @@ Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
   impl->images = std::move(images);
   PELAGIC_TRY(transform, WaveTransform::create(*impl->context, info, impl->images));
   impl->transform = std::move(transform);
+  PELAGIC_TRY(filter, WaveFilter::create(*impl->context, info, impl->images));
+  impl->filter = std::move(filter);
   return Waves(std::move(impl));
 }
 
@@ -114,6 +117,9 @@ void Waves::Impl::recordMaps(vk::CommandBuffer commands, double time, Timings* t
       .record(*context, commands);
   begin(timings, commands, "waves columns");
   transform.recordColumns(commands, newest, static_cast<float>((time / kFoamTick - foamTick) / shader::kFoamSteps));
+  end(timings, commands);
+  begin(timings, commands, "waves filter");
+  filter.record(commands, images, newest);
   end(timings, commands);
   gpu::Barrier()
       .image(displacement, kShaderRead)

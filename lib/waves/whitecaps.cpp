@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
+int signedMode(std::uint32_t i, std::uint32_t size) noexcept {
+  return static_cast<int>(i) - (i >= size / 2 ? static_cast<int>(size) : 0);
+}
+
 double totalDeviation(std::span<const JacobianSpread> bands) noexcept {
   double variance = 0;
   for (const JacobianSpread& band : bands) variance += band.deviation * band.deviation;
@@ -27,8 +31,9 @@ double expectedFoam(const JacobianSpread& band, double inverseSpread, double thr
   double before = 0;
   for (int i = kSteps; i-- > 0;) {
     const double x = -kRange + (i + 0.5) * step;
-    const double coverage = shader::breakingCoverage(static_cast<float>(1 + band.deviation * x),
-                                                     static_cast<float>(threshold), static_cast<float>(inverseSpread));
+    const double jacobian = 1 + band.deviation * x + band.curvature * band.deviation * band.deviation * (x * x - 1);
+    const double coverage = shader::breakingCoverage(static_cast<float>(jacobian), static_cast<float>(threshold),
+                                                     static_cast<float>(inverseSpread));
     const double bell = std::exp(-0.5 * x * x);
     mean += coverage * bell / std::sqrt(kTwoPi) * step;
     fading += 0.5 * (coverage * coverage - before * before) * crossings * bell;
@@ -45,20 +50,29 @@ JacobianSpread jacobianSpread(const CascadeModes& modes, const Cascade& cascade,
   const double dk = kTwoPi / cascade.length;
   double variance = 0;
   double rate = 0;
+  double alongX = 0;  // covariance of dDx/dx and s
+  double mixed = 0;   // covariance of dDz/dx and s
   for (std::uint32_t row = 0; row < size; ++row) {
     for (std::uint32_t column = 0; column < size; ++column) {
       const std::size_t index = static_cast<std::size_t>(row) * size + column;
       if (modes.constants[index].cycles == 0) continue;
-      const double kx = dk * std::min(column, size - column);
-      const double kz = dk * std::min(row, size - row);
-      // dDx/dx + dDz/dz = -chop k^2 h
-      const double stretch = modes.constants[index].chop * (kx * kx + kz * kz);
+      const double kx = dk * signedMode(column, size);
+      const double kz = dk * signedMode(row, size);
+      const double chop = modes.constants[index].chop;
+      const double stretch = chop * (kx * kx + kz * kz);  // s = -chop k^2 h
       const double w = kTwoPi * modes.constants[index].cycles / loopPeriod;
       variance += stretch * stretch * modes.variance[index];
       rate += w * w * stretch * stretch * modes.variance[index];
+      alongX += chop * kx * kx * stretch * modes.variance[index];
+      mixed += chop * kx * kz * stretch * modes.variance[index];
     }
   }
-  return {std::sqrt(variance), std::sqrt(rate)};
+  if (!(variance > 0)) return {};
+  // Regress dDx/dx = a s + r, dDz/dz = (1 - a) s - r, dDz/dx = c s + q with r, q independent of s; of the determinant
+  // a (1 - a) s^2 - c^2 s^2 moves with s, and E[dDx/dx dDz/dz] = E[dDz/dx^2].
+  const double a = alongX / variance;
+  const double c = mixed / variance;
+  return {std::sqrt(variance), std::sqrt(rate), a * (1 - a) - c * c};
 }
 
 double inverseSpread(std::span<const JacobianSpread> bands, std::size_t cascade) noexcept {
@@ -67,7 +81,7 @@ double inverseSpread(std::span<const JacobianSpread> bands, std::size_t cascade)
     if (c != cascade) variance += bands[c].deviation * bands[c].deviation;
   }
   const double spread = std::max(std::sqrt(variance), 0.25 * bands[cascade].deviation);
-  return spread > 0 ? 1 / spread : 0;
+  return spread > 0 ? 1 / spread : 1;
 }
 
 double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noexcept {
@@ -79,7 +93,9 @@ double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noe
 }
 
 double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept {
+  constexpr double kNever = -1e6;
   const double deviation = totalDeviation(bands);
+  if (!(deviation > 0)) return kNever;
   double low = 1 - 10 * deviation;
   double high = 1 + 2 * deviation;
   for (int i = 0; i < 40; ++i) {

@@ -6,21 +6,23 @@
 
 namespace pelagic {
 
-/// The Jacobian of one cascade, linearised to 1 + dDx/dx + dDz/dz: a Gaussian process in time at every point.
+/// The Jacobian of one cascade at a point: 1 + s + curvature (s^2 - deviation^2) in the mean, where s = dDx/dx + dDz/dz
+/// is a Gaussian process in time.
 struct JacobianSpread {
-  double deviation = 0;  ///< Standard deviation [1].
-  double rate = 0;       ///< Standard deviation of its time derivative [1/s].
+  double deviation = 0;  ///< Standard deviation of s [1].
+  double rate = 0;       ///< Standard deviation of ds/dt [1/s].
+  double curvature = 0;  ///< (E[dDx/dx dDz/dz - dDz/dx^2 | s] - its mean) / (s^2 - deviation^2) [1].
 };
 JacobianSpread jacobianSpread(const CascadeModes& modes, const Cascade& cascade, std::uint32_t size, double loopPeriod);
 
 /// 1 / standard deviation of all bands but `cascade`, for shader::breakingCoverage. A band without company is given a
-/// quarter of its own spread, which softens its edges. 0 when there is no motion at all.
+/// quarter of its own spread, which softens its edges. 1 when nothing moves.
 double inverseSpread(std::span<const JacobianSpread> bands, std::size_t cascade) noexcept;
 
 /// Expected mean of the foam that the maps show, breaking and fading, summed over the bands.
 double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noexcept;
 
-/// The Jacobian below which the sea breaks so that expectedFoam is `coverage`.
+/// The Jacobian below which the sea breaks so that expectedFoam is `coverage`; out of reach when nothing moves.
 double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept;
 
 }  // namespace pelagic

@@ -18,11 +18,11 @@ PELAGIC_PHYSICS_FUNCTION float normalDistribution(float x) {
   return 0.5f + 0.5f * tanh(clamp(x, -6.0f, 6.0f) * (0.7978845608f + 0.0356774081f * x * x));
 }
 
-// Share of the water that breaks where one band's Jacobian is `jacobian`: the probability that the other bands, of
-// standard deviation 1 / inverseSpread, bring the sum below `threshold`. Rare breaking is left out and likely breaking
-// counts in full, so that whitecaps have edges and no faint film covers the sea.
+// Share of the water that breaks where one band's Jacobian is `jacobian`, from the probability that the other bands, of
+// standard deviation 1 / inverseSpread, bring the sum below `threshold`: none where it is unlikely, all where it is more
+// likely than not, so that whitecaps have edges and no faint film covers the sea.
 PELAGIC_PHYSICS_FUNCTION float breakingCoverage(float jacobian, float threshold, float inverseSpread) {
-  return smoothstep(0.1f, 0.6f, normalDistribution((threshold - jacobian) * inverseSpread));
+  return smoothstep(0.4f, 0.6f, normalDistribution((threshold - jacobian) * inverseSpread));
 }
 
 #ifdef __cplusplus

@@ -17,15 +17,17 @@ layout(binding = 1, std430) writeonly buffer Scattering { vec4 scattering[]; };
 shared vec3 secondOrder[kDirections];
 shared vec3 transfer[kDirections];
 
-// 8 x 8 directions of equal solid angle; the sun lies in the plane of symmetry, so half the sphere is enough.
-vec3 directionOf(uint index) {
-  float mu = (float(index / 8) + 0.5) / 4.0 - 1.0;
+// 8 x 8 directions, dense at the horizon, where a twilight's light is; w their share of the sphere. The sun lies in the
+// plane of symmetry, so half the sphere is enough.
+vec4 directionOf(uint index) {
+  float s = (float(index / 8) + 0.5) / 4.0 - 1.0;
+  float mu = s * abs(s);
   float azimuth = kAirPi * (float(index % 8) + 0.5) / 8.0;
   float side = sqrt(1.0 - mu * mu);
-  return vec3(side * cos(azimuth), mu, side * sin(azimuth));
+  return vec4(side * cos(azimuth), mu, side * sin(azimuth), 2.0 * abs(s) / 64.0);
 }
 
-void march(float h, vec3 direction, float sunMu, uint slot) {
+void march(float h, vec4 direction, float sunMu, uint slot) {
   float ground = distanceToGround(h, direction.y);
   float end = ground >= 0.0 ? ground : distanceToTop(h, direction.y);
   float sunView = direction.x * sqrt(max(0.0, 1.0 - sunMu * sunMu)) + direction.y * sunMu;
@@ -49,8 +51,8 @@ void march(float h, vec3 direction, float sunMu, uint slot) {
     float mu = ((kAirRadius + h) * sunMu + ground * sunView) / kAirRadius;
     light += through * sunlightAt(transmittance, 0.0, mu) * (max(mu, 0.0) * kAirAlbedo / kAirPi);
   }
-  secondOrder[slot] = light;
-  transfer[slot] = fraction;
+  secondOrder[slot] = light * direction.w;
+  transfer[slot] = fraction * direction.w;
 }
 
 void main() {
@@ -66,7 +68,6 @@ void main() {
     }
   }
   if (slot == 0) {
-    vec3 first = secondOrder[0] / float(kDirections), ratio = transfer[0] / float(kDirections);
-    scattering[gl_WorkGroupID.y * kScatteringWidth + gl_WorkGroupID.x] = vec4(first / (1.0 - ratio), 0);
+    scattering[gl_WorkGroupID.y * kScatteringWidth + gl_WorkGroupID.x] = vec4(secondOrder[0] / (1.0 - transfer[0]), 0);
   }
 }
