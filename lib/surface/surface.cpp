@@ -33,7 +33,7 @@ Result<gpu::Buffer> createIndices(gpu::Context& context) {
 
 Result<gpu::ComputePass> createTessellate(gpu::Context& context) {
   using Type = vk::DescriptorType;
-  const gpu::Binding bindings[] = {{tFrame, Type::eUniformBuffer},
+  const gpu::Binding bindings[] = {{tFrame, Type::eStorageBuffer},
                                    {tRows, Type::eStorageBuffer},
                                    {tDisplacement, Type::eCombinedImageSampler},
                                    {tPrevious, Type::eCombinedImageSampler},
@@ -48,13 +48,14 @@ Result<gpu::ComputePass> createTessellate(gpu::Context& context) {
 
 Result<gpu::ComputePass> createSelect(gpu::Context& context) {
   using Type = vk::DescriptorType;
-  const gpu::Binding bindings[] = {
-      {sFlags, Type::eStorageBuffer}, {sVisible, Type::eStorageBuffer}, {sArguments, Type::eStorageBuffer}};
+  const gpu::Binding bindings[] = {{sFlags, Type::eStorageBuffer},
+                                   {sVisible, Type::eStorageBuffer},
+                                   {sArguments, Type::eStorageBuffer},
+                                   {sFrame, Type::eStorageBuffer}};
   gpu::ComputePassInfo info;
   info.name = "surface select blocks";
   info.code = shaders::surface_select_blocks_comp;
   info.bindings = bindings;
-  info.pushBytes = sizeof(std::uint32_t);
   return gpu::ComputePass::create(context, info);
 }
 
@@ -126,7 +127,7 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
   impl->tessellate = std::move(tessellate);
   PELAGIC_TRY(select, surface::createSelect(context));
   impl->select = std::move(select);
-  const gpu::Binding bindings[] = {{surface::dFrame, vk::DescriptorType::eUniformBuffer},
+  const gpu::Binding bindings[] = {{surface::dFrame, vk::DescriptorType::eStorageBuffer},
                                    {surface::dVertices, vk::DescriptorType::eStorageBuffer},
                                    {surface::dVisible, vk::DescriptorType::eStorageBuffer}};
   PELAGIC_TRY(descriptors,

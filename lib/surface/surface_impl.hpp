@@ -24,7 +24,7 @@ namespace surface {
 
 /// Bindings of tessellate.comp, of select_blocks.comp and of the draw.
 enum TessellateBinding : std::uint32_t { tFrame, tRows, tDisplacement, tPrevious, tVertices, tFlags };
-enum SelectBinding : std::uint32_t { sFlags, sVisible, sArguments };
+enum SelectBinding : std::uint32_t { sFlags, sVisible, sArguments, sFrame };
 enum DrawBinding : std::uint32_t { dFrame, dVertices, dVisible };
 
 inline constexpr vk::Format kPositionFormat = vk::Format::eR32G32Sfloat;

@@ -25,7 +25,7 @@ constexpr gpu::BufferState kVertexRead{vk::PipelineStageFlagBits2::eVertexShader
 constexpr gpu::BufferState kFrameRead{vk::PipelineStageFlagBits2::eComputeShader |
                                           vk::PipelineStageFlagBits2::eVertexShader |
                                           vk::PipelineStageFlagBits2::eFragmentShader,
-                                      vk::AccessFlagBits2::eUniformRead};
+                                      vk::AccessFlagBits2::eShaderStorageRead};
 
 /// Room for several times the blocks that cover the picture: water that may be displaced into it, pictures that lie
 /// diagonally in the grid, rows closer than asked for where waves are large.
@@ -109,7 +109,7 @@ Result<void> SurfaceView::Impl::createBuffers() {
   };
   const vk::DeviceSize vertexBytes = vk::DeviceSize(limits.blocks) * shader::kBlockVertices * 2 * sizeof(glm::vec4);
   const Part parts[] = {
-      {&frameBuffer, "surface frame", sizeof(shader::SurfaceFrame), Usage::eUniformBuffer | Usage::eTransferDst},
+      {&frameBuffer, "surface frame", sizeof(shader::SurfaceFrame), Usage::eStorageBuffer | Usage::eTransferDst},
       {&rowBuffer, "surface rows", limits.rows * sizeof(glm::vec2), Usage::eStorageBuffer | Usage::eTransferDst},
       {&vertices, "surface vertices", vertexBytes, Usage::eStorageBuffer},
       {&flags, "surface block flags", limits.blocks * sizeof(std::uint32_t), Usage::eStorageBuffer},
@@ -151,6 +151,7 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
   select.buffer(surface::sFlags, flags.handle());
   select.buffer(surface::sVisible, visible.handle());
   select.buffer(surface::sArguments, arguments.handle());
+  select.buffer(surface::sFrame, frameBuffer.handle());
   selectSet = std::move(select);
   PELAGIC_TRY(draw, surface->drawDescriptors.createSet("surface draw"));
   draw.buffer(surface::dFrame, frameBuffer.handle());
@@ -176,7 +177,7 @@ surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& cam
   frame.cameraHeight = static_cast<float>(camera.position.y);
   frame.inverseExtent = 1.0f / glm::vec2(extent.width, extent.height);
   frame.motionScale = hasPrevious ? 1.0f : 0.0f;
-  frame.lastRow = grid.rowBlocks * shader::kBlockCells;
+  frame.blocks = grid.columnBlocks * grid.rowBlocks;
   frame.waves = waveSampling(maps, {camera.position.x, camera.position.z});
   previousPosition = camera.position;
   hasPrevious = true;
@@ -190,7 +191,8 @@ void SurfaceView::Impl::upload(vk::CommandBuffer commands, const surface::Grid& 
       .buffer(rowBuffer, gpu::kTransferWrite)
       .record(*surface->context, commands);
   commands.updateBuffer(frameBuffer.handle(), 0, sizeof(frame), &frame, dispatch);
-  const vk::DeviceSize bytes = grid.columnBlocks == 0 ? 0 : (frame.lastRow + 1) * sizeof(glm::vec2);
+  const vk::DeviceSize bytes =
+      grid.columnBlocks == 0 ? 0 : (grid.rowBlocks * shader::kBlockCells + 1) * sizeof(glm::vec2);
   for (vk::DeviceSize at = 0; at < bytes; at += surface::kMaxUpdate) {
     commands.updateBuffer(rowBuffer.handle(), at, std::min(bytes - at, surface::kMaxUpdate),
                           reinterpret_cast<const std::byte*>(rows.data()) + at, dispatch);
@@ -215,7 +217,6 @@ void SurfaceView::Impl::tessellate(vk::CommandBuffer commands, const WaveMaps& m
   }
   gpu::Barrier().buffer(flags, gpu::kComputeRead).record(*surface->context, commands);
   surface->select.bind(commands, selectSet);
-  surface->select.push(commands, grid.columnBlocks * grid.rowBlocks);
   surface->select.dispatch(commands, 1);
 }
 

@@ -5,16 +5,17 @@
 
 layout(local_size_x = 256) in;
 
-layout(push_constant) uniform Push { uint blocks; };
 layout(set = 0, binding = 0, std430) readonly buffer Flags { uint flags[]; };
 layout(set = 0, binding = 1, std430) writeonly buffer Visible { uint visible[]; };
 // VkDrawIndexedIndirectCommand.
 layout(set = 0, binding = 2, std430) writeonly buffer Arguments { uint arguments[5]; };
+layout(set = 0, binding = 3, std430) readonly buffer Frame { SurfaceFrame frame; };
 
 shared uint sums[gl_WorkGroupSize.x];
 
 void main() {
   uint self = gl_LocalInvocationIndex;
+  uint blocks = frame.blocks;
   uint share = (blocks + gl_WorkGroupSize.x - 1) / gl_WorkGroupSize.x;
   uint first = min(self * share, blocks);
   uint last = min(first + share, blocks);

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/surface_frame.h"
 
-layout(set = 0, binding = 0, std140) uniform Frame { SurfaceFrame frame; };
+layout(set = 0, binding = 0, std430) readonly buffer Frame { SurfaceFrame frame; };
 
 layout(location = 0) in vec2 ground;
 layout(location = 1) in vec3 previous;  // clip x, y, w of the previous frame

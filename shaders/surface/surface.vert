@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/surface_frame.h"
 
-layout(set = 0, binding = 0, std140) uniform Frame { SurfaceFrame frame; };
+layout(set = 0, binding = 0, std430) readonly buffer Frame { SurfaceFrame frame; };
 layout(set = 0, binding = 1, std430) readonly buffer Vertices { vec4 vertices[]; };
 layout(set = 0, binding = 2, std430) readonly buffer Visible { uint visible[]; };
 

@@ -1,4 +1,5 @@
-// What one frame of one view of the sea's surface is: a uniform block, and the grid's fixed sizes.
+// What one frame of one view of the sea's surface is, and the grid's fixed sizes. A storage, not a uniform block:
+// Mesa's software device compiles a shader anew for every value of a uniform on which its control flow depends.
 #ifndef PELAGIC_SURFACE_FRAME_H
 #define PELAGIC_SURFACE_FRAME_H
 #include "pelagic/shader/types.h"
@@ -24,7 +25,7 @@ struct SurfaceFrame {
   float cameraHeight;   // [m]
   vec2 inverseExtent;   // [1/px]
   float motionScale;    // 0 in a view's first frame, then 1
-  uint lastRow;         // index of the farthest row
+  uint blocks;          // of the whole grid
   WaveSampling waves;   // relative to the camera's (x,z)
 };
 

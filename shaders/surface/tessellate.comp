@@ -8,7 +8,7 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(set = 0, binding = 0, std140) uniform Frame { SurfaceFrame frame; };
+layout(set = 0, binding = 0, std430) readonly buffer Frame { SurfaceFrame frame; };
 layout(set = 0, binding = 1, std430) readonly buffer Rows { vec2 rows[]; };
 layout(set = 0, binding = 2) uniform sampler2DArray displacement;
 layout(set = 0, binding = 3) uniform sampler2DArray previousDisplacement;
@@ -35,7 +35,7 @@ vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
 // The longer side of the cells around a row [m].
 float cellLength(uint j, float lateral) {
   uint before = j > 0 ? j - 1 : 0;
-  uint after = min(j + 1, frame.lastRow);
+  uint after = min(j + 1, gl_NumWorkGroups.y * kBlockCells);
   return max(lateral, (rows[after].x - rows[before].x) / float(after - before));
 }
 
