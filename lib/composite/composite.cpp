@@ -36,13 +36,14 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// Which of a view's optional images there are: the shaders' specialisation constants 0 … 3.
-using Variant = std::array<std::uint32_t, 4>;
+/// The shaders' specialisation constants 0 … 4: which of a view's optional images there are, and whether tiles foam.
+using Variant = std::array<std::uint32_t, 5>;
 
 struct Passes {
   gpu::ComputePass classify;
   gpu::ComputePass sky;
   gpu::ComputePass water;
+  gpu::ComputePass foam;
 };
 
 }  // namespace
@@ -90,7 +91,7 @@ Result<Composite> Composite::create(Device& device) {
   const auto sampler = [&](std::string_view name, const gpu::SamplerInfo& info) {
     return gpu::createSampler(*impl->context, name, info);
   };
-  PELAGIC_TRY(repeat, sampler("composite repeat", {}));
+  PELAGIC_TRY(repeat, sampler("composite repeat", {.mipmap = vk::SamplerMipmapMode::eNearest}));
   PELAGIC_TRY(azimuth, sampler("composite azimuth", {.v = edge}));
   PELAGIC_TRY(clamp, sampler("composite clamp", {.u = edge, .v = edge}));
   PELAGIC_TRY(nearest,
@@ -114,13 +115,16 @@ Result<Composite> Composite::create(Device& device) {
 Result<const Passes*> Composite::Impl::passes(const Variant& variant) {
   auto& entry = variants[variant];
   if (!entry) {
-    const auto create = [&](std::string_view name, std::span<const std::uint32_t> code) {
-      return gpu::ComputePass::create(*context, {name, code, kBindings, 0, variant});
+    Variant foaming = variant;
+    foaming[4] = 1;
+    const auto create = [&](std::string_view name, std::span<const std::uint32_t> code, const Variant& constants) {
+      return gpu::ComputePass::create(*context, {name, code, kBindings, 0, constants});
     };
-    PELAGIC_TRY(classify, create("composite classify", shaders::composite_classify_comp));
-    PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp));
-    PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp));
-    entry = std::make_unique<Passes>(Passes{std::move(classify), std::move(sky), std::move(water)});
+    PELAGIC_TRY(classify, create("composite classify", shaders::composite_classify_comp, variant));
+    PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp, variant));
+    PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp, variant));
+    PELAGIC_TRY(foam, create("composite foam", shaders::composite_water_comp, foaming));
+    entry = std::make_unique<Passes>(Passes{std::move(classify), std::move(sky), std::move(water), std::move(foam)});
   }
   return entry.get();
 }
@@ -159,7 +163,7 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   impl->context = shared.context;
   impl->targets = targets;
   const Variant variant{targets.color.has_value(), targets.normal.has_value(), targets.slopeVariance.has_value(),
-                        targets.mergedDepth.has_value()};
+                        targets.mergedDepth.has_value(), 0};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
 
@@ -169,9 +173,10 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   const VkExtent2D extent = targets.output.extent;
   const vk::DeviceSize count =
       vk::DeviceSize{gpu::groups(extent.width, shader::kTileSize)} * gpu::groups(extent.height, shader::kTileSize);
-  PELAGIC_TRY(tiles, gpu::Buffer::create(*impl->context, Stage::composite, "composite tiles",
-                                         (shader::kTileListStart + shader::kTileLists * count) * sizeof(std::uint32_t),
-                                         Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferDst));
+  PELAGIC_TRY(tiles,
+              gpu::Buffer::create(*impl->context, Stage::composite, "composite tiles",
+                                  (shader::kTileListStart + 2 * shader::kTileLists * count) * sizeof(std::uint32_t),
+                                  Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferDst));
   impl->frame = std::move(frame);
   impl->tiles = std::move(tiles);
   PELAGIC_TRY(set, impl->passes->water.createSet("composite view"));
@@ -184,7 +189,7 @@ void CompositeView::Impl::recordInputs(vk::CommandBuffer commands, const shader:
   gpu::Barrier().buffer(frame, gpu::kTransferWrite).buffer(tiles, gpu::kTransferWrite).record(*context, commands);
   commands.updateBuffer(frame.handle(), 0, sizeof(block), &block, context->dispatch);
   // Per list an indirect dispatch of no groups, and no tiles.
-  constexpr std::array<std::uint32_t, 4 * shader::kTileLists> kEmpty{0, 0, 1, 0, 0, 0, 1, 0};
+  constexpr std::array<std::uint32_t, 4 * shader::kTileLists> kEmpty{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   commands.updateBuffer(tiles.handle(), 0, sizeof(kEmpty), kEmpty.data(), context->dispatch);
   gpu::Barrier().buffer(frame, gpu::kComputeRead).buffer(tiles, kComputeReadWrite).record(*context, commands);
 }
@@ -222,7 +227,8 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     view.recordInputs(commands, compositeFrame(waves, camera, medium, extent));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
-    view.passes->classify.dispatch(commands, gpu::groups(extent.width, shader::kTileSize),
+    // Eight tiles a group.
+    view.passes->classify.dispatch(commands, gpu::groups(extent.width, 8 * shader::kTileSize),
                                    gpu::groups(extent.height, shader::kTileSize));
     gpu::Barrier().buffer(view.tiles, kComputeReadIndirect).record(*view.context, commands);
   });
@@ -231,7 +237,10 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     pass.dispatchIndirect(commands, view.tiles.handle(), list * 4 * sizeof(std::uint32_t));
   };
   measured("composite sky", [&] { shade(view.passes->sky, shader::kSkyTiles); });
-  measured("composite water", [&] { shade(view.passes->water, shader::kWaterTiles); });
+  measured("composite water", [&] {
+    shade(view.passes->water, shader::kWaterTiles);
+    shade(view.passes->foam, shader::kFoamTiles);
+  });
   view.recordTargets(commands, false);
 }
 

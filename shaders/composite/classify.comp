@@ -4,34 +4,79 @@
 #include "composite/bindings.glsl"
 #include "composite/footprint.glsl"
 
+// Eight tiles a group, a row of a tile an invocation.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 1, std430) writeonly buffer Tiles { uint tileWords[]; };
 
-shared uint anyWater;
-shared uint nearestBits;  // smallest axial distance of the tile's water, as the bits of a positive float
+// Of each row of a tile: the nearest water.
+struct Water {
+  float distance;  // along the camera's axis [m], less than 0 without water
+  vec2 position;   // undisplaced, from the eye [m]
+};
+shared Water rows[8][8];
 
-void main() {
-  if (gl_LocalInvocationIndex == 0u) {
-    anyWater = 0u;
-    nearestBits = floatBitsToUint(1e30);
-  }
-  barrier();
-  ivec2 place = ivec2(gl_GlobalInvocationID.xy);
-  if (place.x < int(frame.width) && place.y < int(frame.height)) {
+Water nearer(Water a, Water b) {
+  bool second = b.distance >= 0.0 && (a.distance < 0.0 || b.distance < a.distance);
+  return second ? b : a;
+}
+
+Water nearestOfRow(uvec2 first) {
+  Water result = Water(-1.0, vec2(0));
+  ivec2 nearest = ivec2(0);
+  for (uint i = 0u; i < kTileSize; ++i) {
+    ivec2 place = ivec2(min(first + uvec2(i, 0), uvec2(frame.width - 1u, frame.height - 1u)));
     Pixel pixel = readPixel(place);
-    if (pixel.water) {
-      atomicOr(anyWater, 1u);
-      atomicMin(nearestBits, floatBitsToUint(max(axialDistance(pixel.waterDepth), 0.0)));
+    float distance = pixel.water ? max(axialDistance(pixel.waterDepth), 0.0) : -1.0;
+    if (distance >= 0.0 && (result.distance < 0.0 || distance < result.distance)) {
+      result.distance = distance;
+      nearest = place;
     }
   }
+  if (result.distance >= 0.0) result.position = texelFetch(waterPosition, nearest, 0).xy;
+  return result;
+}
+
+// Steepest of the views through a tile's corners: sine of the angle to the water.
+float steepestView(uvec2 tile) {
+  float result = 0.0;
+  for (uint corner = 0u; corner < 4u; ++corner) {
+    vec3 ray = pixelRay(ivec2((tile + uvec2(corner & 1u, corner >> 1)) * kTileSize));
+    result = max(result, -ray.y * inversesqrt(dot(ray, ray)));
+  }
+  return result;
+}
+
+// Cascades with any foam near the tile's water. A mip's texel is 0 only where all under it are, and the level is coarse
+// enough for four of its texels to cover the tile.
+uint foamingCascades(Water water, float view) {
+  float side = 2.0 * float(kTileSize) * water.distance * frame.waterAlbedo.w / clamp(view, 0.02, 1.0);
+  uint mask = 0u;
+  for (uint c = 0u; c < frame.waves.cascades; ++c) {
+    vec4 placement = frame.waves.placement[c];
+    float lod = min(ceil(waveLod(placement, float(frame.waves.size), side)), frame.waves.maxLod);
+    float foam = textureLod(foamMap, vec3(waveUv(placement, water.position), float(c)), lod).r;
+    mask |= foam > 0.0 ? 1u << c : 0u;
+  }
+  return mask;
+}
+
+void main() {
+  uvec2 tile = uvec2(gl_WorkGroupID.x * 8u + gl_LocalInvocationID.x, gl_WorkGroupID.y);
+  rows[gl_LocalInvocationID.x][gl_LocalInvocationID.y] =
+      nearestOfRow(tile * kTileSize + uvec2(0, gl_LocalInvocationID.y));
   barrier();
-  if (gl_LocalInvocationIndex == 0u) {
-    uint list = anyWater != 0u ? kWaterTiles : kSkyTiles;
+  if (gl_LocalInvocationID.y == 0u && tile.x * kTileSize < frame.width) {
+    Water water = rows[gl_LocalInvocationID.x][0];
+    for (uint i = 1u; i < 8u; ++i) water = nearer(water, rows[gl_LocalInvocationID.x][i]);
+    float view = steepestView(tile);
+    uint foaming = water.distance >= 0.0 ? foamingCascades(water, view) : 0u;
+    uint list = water.distance < 0.0 ? kSkyTiles : foaming == 0u ? kWaterTiles : kFoamTiles;
     uint index = atomicAdd(tileWords[4u * list + 3u], 1u);
     atomicMax(tileWords[4u * list], min(index + 1u, kTilesPerRow));
     atomicMax(tileWords[4u * list + 1u], index / kTilesPerRow + 1u);
-    uint cascades = cascadesToSample(uintBitsToFloat(nearestBits) * frame.waterAlbedo.w);
-    tileWords[kTileListStart + list * frame.tiles + index] =
-        gl_WorkGroupID.x | gl_WorkGroupID.y << 12 | cascades << 24;
+    uint cascades = cascadesToSample(footprintSide(max(water.distance, 0.0) * frame.waterAlbedo.w, view));
+    uint word = kTileListStart + 2u * (list * frame.tiles + index);
+    tileWords[word] = tile.x | tile.y << 16;
+    tileWords[word + 1u] = cascades | foaming << 8;
   }
 }

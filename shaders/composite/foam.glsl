@@ -9,8 +9,8 @@ float latticeValue(uvec2 p) {
   return float(word >> 8) * (1.0 / 16777216.0);
 }
 
-// Smooth noise, 0 ... 1, mean 1/2, of `cells` lattice cells before it repeats (a power of two).
-float latticeNoise(vec2 p, uint cells) {
+// Smooth noise, 0 ... 1, mean 1/2, that repeats after `cells` (powers of two) lattice cells.
+float latticeNoise(vec2 p, uvec2 cells) {
   vec2 base = floor(p);
   vec2 f = p - base;
   f = f * f * (3.0 - 2.0 * f);
@@ -20,23 +20,33 @@ float latticeNoise(vec2 p, uint cells) {
              mix(latticeValue(uvec2(i.x, j.y)), latticeValue(j), f.x), f.y);
 }
 
-// Height of the foam pattern, about 0 ... 1: ridges that close into cells, so that a high threshold leaves lace. What
-// the footprint [m] cannot resolve fades to the mean.
-float foamPattern(vec2 p, float footprint) {
-  // Wind frame, drawn out along the wind.
-  vec2 q = frame.foam.xy + vec2(dot(p, frame.foam.zw), dot(p, vec2(-frame.foam.w, frame.foam.z)));
-  vec2 stretch = vec2(0.5, 1.0);
-  float sum = 0.0;
-  float weight = 0.5;
-  for (uint octave = 0u; octave < 3u; ++octave) {
-    float scale = float(1u << octave);  // cells per metre across the wind
-    float n = latticeNoise(q * stretch * scale, uint(kFoamPeriod) << octave);
-    float ridge = 1.0 - abs(2.0 * n - 1.0);
-    float kept = clamp(1.5 - footprint * scale * 1.5, 0.0, 1.0);
-    sum += weight * mix(0.62, ridge, kept);
-    weight *= 0.6;
+// The foam's texture: a field of ridges that close into cells, so that what stands above a high level is lace.
+struct FoamPattern {
+  float height;      // what the footprint resolves of it
+  float unresolved;  // standard deviation of the rest
+};
+const uint kFoamOctaves = 4u;
+const float kRidgeMean = 0.644;       // of 1 - |2 n - 1|
+const float kRidgeDeviation = 0.237;
+
+// `q`: wind frame, in lattice cells of one metre across the wind and two along. `footprint` [m].
+FoamPattern foamPattern(vec2 q, float footprint) {
+  FoamPattern pattern = FoamPattern(0.0, 0.0);
+  uvec2 cells = uvec2(uint(kFoamPeriod));
+  float weight = 0.45;
+  float cell = 1.0;
+  for (uint octave = 0u; octave < kFoamOctaves; ++octave) {
+    float kept = clamp(1.5 - 2.0 * footprint / cell, 0.0, 1.0);
+    float ridge = 1.0 - abs(2.0 * latticeNoise(q, cells) - 1.0);
+    pattern.height += weight * kept * (ridge - kRidgeMean);
+    pattern.unresolved += weight * weight * (1.0 - kept * kept);
+    // Turned and shrunk by whole numbers, so that every octave repeats with the first.
+    q = vec2(2.0 * q.x + q.y, 2.0 * q.y - q.x);
+    cell *= 0.4472136;
+    weight *= 0.8;
   }
-  return sum / 0.98;
+  pattern.unresolved = kRidgeDeviation * sqrt(pattern.unresolved);
+  return pattern;
 }
 
 struct Foam {
@@ -44,16 +54,27 @@ struct Foam {
   float albedo;
 };
 
+// The share of the sea above a level of the pattern is what the freshness asks for, at every distance: near by the level
+// cuts lace out of the pattern, far off the share itself is what is left.
 Foam foamAt(float freshness, vec2 p, float footprint) {
+  const float kWhole = 0.162;  // standard deviation of the whole pattern
+  const float kEdge = 0.04;     // softness of an edge near by
+  vec2 wind = frame.foam.zw;
+  vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
+  // Older foam gathers in streaks along the wind.
+  float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
+  float aged = clamp(freshness * (0.4 + 1.2 * streak), 0.0, 1.0);
+  float share = clamp(mix(aged, freshness, freshness), 0.0, 0.98);
+
+  FoamPattern pattern = foamPattern(q, footprint);
+  // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).
+  float level = kWhole / 1.702 * log((1.0 - share) / max(share, 1e-4));
+  float z = (pattern.height - level) / max(pattern.unresolved, kEdge);
   Foam foam;
-  float fresh = clamp(freshness, 0.0, 1.0);
-  float pattern = foamPattern(p, footprint);
-  // Cover that shrinks faster than the freshness: 1 while breaking, lace after.
-  float wanted = fresh * fresh;
-  float soft = mix(0.08, 0.5, clamp(footprint, 0.0, 1.0));
-  float threshold = 1.0 - wanted;
-  foam.cover = wanted * smoothstep(threshold - soft, threshold + soft, pattern);
-  foam.albedo = mix(0.45, 0.75, fresh);
+  foam.cover = min(share * 50.0, 1.0) / (1.0 + exp(-1.702 * clamp(z, -30.0, 30.0)));
+  // Thin toward the edges of a patch, and thinner with age.
+  float thickness = clamp(0.3 + 2.5 * (pattern.height - level), 0.0, 1.0);
+  foam.albedo = mix(0.35, 0.8, thickness * sqrt(share));
   return foam;
 }
 

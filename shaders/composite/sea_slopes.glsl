@@ -12,55 +12,34 @@ struct SeaPoint {
   float foam;        // mean freshness of the foam, 0 ... 1
 };
 
-// The pixel's ellipse on the still water: `across` [m] wide and `along` [m] deep in the direction `axis`. The maps' mips
-// are square, so two taps half the depth apart share the work, and what differs between them is variance too.
-struct Footprint {
-  vec2 axis;
-  float across;
-  float along;
-  float sampled;  // side of the square that one tap averages [m]
-  vec2 tap;       // offset of the taps [m]
-};
+// Foam of the shorter waves is spread over this length [m]: it drifts and joins, where the maps hold the spots in which it
+// was born.
+const float kFoamGrain = 2.0;
 
-// Facets that a grazing view sees lean toward it: a pixel is never deeper than its width over this slope.
-const float kSteepestView = 0.04;
-
-Footprint footprintOf(vec3 v, float across) {
-  Footprint f;
-  f.axis = v.xz * inversesqrt(max(dot(v.xz, v.xz), 1e-8));
-  f.across = across;
-  f.along = across / max(v.y, kSteepestView);
-  f.sampled = clamp(0.5 * f.along, across, 4.0 * across);
-  f.tap = f.axis * (0.25 * max(f.along - across, 0.0));
-  return f;
-}
-
-vec3 outer(vec2 a) { return vec3(a.x * a.x, a.y * a.y, a.x * a.y); }
-
-// `p`: undisplaced place relative to the eye [m]. Only the first `cascades` are sampled, of the others the variance counts.
-SeaPoint seaPoint(vec2 p, Footprint f, uint cascades) {
+// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` [m]. Only the first `cascades` are sampled,
+// of the others the variance counts; foam only from the cascades in the bit mask `foaming`.
+SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
   float foamFree = 1.0;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
   for (uint c = 0u; c < cascades; ++c) {
     vec4 placement = frame.waves.placement[c];
-    float lod = waveLod(placement, float(frame.waves.size), f.sampled);
-    vec2 uv = waveUv(placement, p);
-    vec2 tap = f.tap * placement.x;
-    vec4 a = textureLod(gradientMap, vec3(uv - tap, float(c)), lod);
-    vec4 b = textureLod(gradientMap, vec3(uv + tap, float(c)), lod);
-    vec4 m = textureLod(momentsMap, vec3(uv, float(c)), lod);
+    float lod = waveLod(placement, float(frame.waves.size), side);
+    vec3 place = vec3(waveUv(placement, p), float(c));
+    vec4 g = textureLod(gradientMap, place, lod);
+    vec4 m = textureLod(momentsMap, place, lod);
     // Toward the end of what is resolved, all goes over into the expected variance.
     float kept = clamp(endLod - lod, 0.0, 1.0);
-    m.xyz = mix(frame.waves.slopeCovariance[c].xyz, m.xyz + outer(0.5 * (a.xy - b.xy)), kept);
-    gradient += 0.5 * kept * (a + b);
-    moments += vec4(m.xyz, kept * m.w);
-    foamFree *= 1.0 - textureLod(foamMap, vec3(uv, float(c)), lod).r;
+    gradient += kept * g;
+    moments += vec4(mix(frame.waves.slopeCovariance[c].xyz, m.xyz, kept), kept * m.w);
   }
-  for (uint c = cascades; c < frame.waves.cascades; ++c) {
-    moments.xyz += frame.waves.slopeCovariance[c].xyz;
-    foamFree *= 1.0 - textureLod(foamMap, vec3(0.5, 0.5, float(c)), frame.waves.maxLod).r;
+  for (uint c = cascades; c < frame.waves.cascades; ++c) moments.xyz += frame.waves.slopeCovariance[c].xyz;
+  for (uint left = foaming; left != 0u; left &= left - 1u) {
+    uint c = uint(findLSB(left));
+    vec4 placement = frame.waves.placement[c];
+    float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
+    foamFree *= 1.0 - textureLod(foamMap, vec3(waveUv(placement, p), float(c)), lod).r;
   }
 
   SeaPoint sea;

@@ -8,6 +8,9 @@
 #include "composite/foam.glsl"
 #include "composite/tiles.glsl"
 
+// One pipeline for tiles with foam, one without.
+layout(constant_id = 4) const bool kFoaming = false;
+
 const float kEarthRadius = 6371000.0;
 
 // Transmittance of the air between the eye and the water `distance` [m] away.
@@ -25,7 +28,7 @@ vec3 levelled(vec3 d, vec2 p) {
 }
 
 void main() {
-  Tile tile = readTile(kWaterTiles);
+  Tile tile = readTile(kFoaming ? kFoamTiles : kWaterTiles);
   if (!tile.valid) return;
   Pixel pixel = readPixel(tile.pixel);
   vec3 ray = pixelRay(tile.pixel);
@@ -43,13 +46,23 @@ void main() {
     vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
     vec3 v = levelled(-d, p);
     vec3 l = levelled(light.sunDirection.xyz, p);
-    Footprint footprint = footprintOf(v, axial * frame.waterAlbedo.w);
-    SeaPoint sea = seaPoint(p, footprint, tile.cascades);
-    Foam foam = foamAt(sea.foam, p, footprint.sampled);
-    vec3 foamLight = light.sunIrradiance.rgb * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
-    radiance = mix(seaRadiance(sea, v, l, beyond), foamLight * (foam.albedo / kPi), foam.cover);
+    // What a pixel covers of the undisplaced sea: from its neighbour above or below, the nearer one, since the other may
+    // lie beyond a crest; but not finer than the view's own spread.
+    float across = axial * frame.waterAlbedo.w;
+    vec2 above = texelFetch(waterPosition, max(tile.pixel - ivec2(0, 1), ivec2(0)), 0).xy - p;
+    vec2 below = texelFetch(waterPosition, min(tile.pixel + ivec2(0, 1), ivec2(frame.width, frame.height) - 1), 0).xy - p;
+    float along = sqrt(min(dot(above, above), dot(below, below)));
+    float side = footprintSide(across, clamp(across / max(along, 1e-6), v.y * 0.25, 1.0));
+    SeaPoint sea = seaPoint(p, side, tile.cascades, kFoaming ? tile.foaming : 0u);
+    radiance = seaRadiance(sea, v, l, beyond);
+    normal.xyz = sea.normal;
+    if (kFoaming) {
+      Foam foam = foamAt(sea.foam, p, side);
+      vec3 foamLight = light.sunIrradiance.rgb * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
+      radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
+      normal.w = foam.cover;
+    }
     radiance = mix(beyond, radiance, airTransmittance(away));
-    normal = vec4(sea.normal, foam.cover);
     variance = sea.residual.xy;
   } else {
     radiance += sunDisc(d, frame.waterAlbedo.w / rayLength);

@@ -11,11 +11,12 @@ PELAGIC_SHADER_CONSTANT uint kTileSize = 8u;
 PELAGIC_SHADER_CONSTANT uint kTilesPerRow = 32768u;
 // Tile lists.
 PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // no water seen: sky, or the host's picture
-PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel
-PELAGIC_SHADER_CONSTANT uint kTileLists = 2u;
-// 32-bit words before the first list, so that the lists lie at a storage buffer offset of their own.
+PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
+PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
+PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;
+// 32-bit words before the first list, whose entries have two.
 PELAGIC_SHADER_CONSTANT uint kTileListStart = 64u;
-// The foam pattern repeats after this many metres, along and across the wind.
+// The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
 struct CompositeFrame {
