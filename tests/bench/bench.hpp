@@ -51,6 +51,9 @@ T require(tl::expected<T, E>&& result) {
 
 double median(std::vector<double> values);
 
+void addFrames(Setup& setup, Results& results);
+/// Draws the default scene to learn its passes.
+void addPasses(Setup& setup, Results& results);
 void addWaveSteps(Setup& setup, Results& results);
 void addVkFft(Setup& setup, Results& results);
 void addFftw(Results& results);

@@ -63,6 +63,9 @@ int main(int argc, char** argv) {
   bench::addWaveSteps(setup, results);
   bench::addVkFft(setup, results);
   bench::addFftw(results);
+  bench::addFrames(setup, results);
+  const std::string filter = benchmark::GetBenchmarkFilter();
+  if (filter.empty() || filter == "all" || filter.find("Pass") != std::string::npos) bench::addPasses(setup, results);
   PlainNames reporter;
   const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter);
   results.printRatios();

@@ -32,7 +32,9 @@ std::optional<std::set<std::string>> allowedRooms(const std::string& room) {
   if (room == "shaders/shared") return std::set<std::string>{"include", "shaders/physics"};
   if (startsWith(room, "shaders/")) return std::set<std::string>{"include", "shaders/shared", "shaders/physics"};
   if (room == "examples") return std::set<std::string>{"include"};
-  if (room == "tests/golden" || room == "tests/bench") return std::set<std::string>{"include", "examples"};
+  if (room == "tests/golden" || room == "tests/bench") {
+    return std::set<std::string>{"include", "examples", "tests/support"};
+  }
   if (room == "tests/consumer" || room == "tests/readme") return std::set<std::string>{"include"};
   return std::nullopt;
 }
