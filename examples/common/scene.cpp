@@ -71,6 +71,20 @@ std::string listScenes() {
   return list;
 }
 
+void addSceneOptions(Program& program, Scene& scene) {
+  loadScene("--scene", std::string(kDefaultScene), scene);
+  program.add(
+      {{"scene", "NAME|FILE.toml", fmt::format("Scene that the other options change; default {}", kDefaultScene),
+        [&scene](const std::string& where, const std::vector<std::string>& texts) {
+          loadScene(where, texts.front(), scene);
+        }}},
+      "Scene");
+  const Fields sea = seaFields(scene.sea);
+  program.addFile("--sea", "Options of the sea from a file; its keys are their names, options override it", sea, "Sea");
+  program.add(sea, "Sea");
+  program.add(lightFields(scene), "Light, water and camera");
+}
+
 pelagic::OceanInfo oceanInfo(const Scene& scene) {
   pelagic::OceanInfo info;
   info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);

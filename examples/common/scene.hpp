@@ -4,6 +4,7 @@
 #include <pelagic/ocean.hpp>
 #include <span>
 
+#include "program.hpp"
 #include "sea_options.hpp"
 #include "view.hpp"
 
@@ -34,6 +35,9 @@ Fields lightFields(Scene& scene);
 void loadScene(const std::string& option, const std::string& name, Scene& scene);
 /// Names and titles, one line each.
 std::string listScenes();
+
+/// Loads the default scene and adds --scene and every option that changes a scene. `scene` must outlive the program.
+void addSceneOptions(Program& program, Scene& scene);
 
 pelagic::OceanInfo oceanInfo(const Scene& scene);
 

@@ -143,29 +143,16 @@ void renderFrames(common::Program& program, const Options& options, Clock::time_
   if (measure) writeStats(statsFile, options, gpu, device, renderer, stats, firstFrame, times);
 }
 
-void addOptions(common::Program& program, Options& options) {
-  const common::Fields sea = common::seaFields(options.scene.sea);
-  program.add({{"scene", "NAME|FILE.toml", "Scene that the other options change; default trade-wind",
-                [&options](const std::string& where, const std::vector<std::string>& texts) {
-                  common::loadScene(where, texts.front(), options.scene);
-                }}},
-              "Scene");
-  program.app().add_flag("--list-scenes", options.listScenes, "Print the built-in scenes")->group("Scene");
-  program.addFile("--sea", "Options of the sea from a file; its keys are their names, options override it", sea, "Sea");
-  program.add(sea, "Sea");
-  program.add(common::lightFields(options.scene), "Light, water and camera");
-  program.add(common::sequenceFields(options.sequence, true), "Time");
-  program.add(pictureFields(options), "Output");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   const Clock::time_point start = Clock::now();
   common::Program program("pelagic-render", "Renders pictures of an ocean.");
   Options options;
-  common::loadScene("--scene", std::string(common::kDefaultScene), options.scene);
-  addOptions(program, options);
+  common::addSceneOptions(program, options.scene);
+  program.app().add_flag("--list-scenes", options.listScenes, "Print the built-in scenes")->group("Scene");
+  program.add(common::sequenceFields(options.sequence, true), "Time");
+  program.add(pictureFields(options), "Output");
   return program.run(argc, argv, [&](common::OutputSet& outputs) {
     if (options.listScenes) {
       fmt::print("{}", common::listScenes());

@@ -33,10 +33,10 @@ CommandTest::~CommandTest() {
   fs::remove_all(directory_, ignored);
 }
 
-Outcome CommandTest::run(const std::string& program, const std::string& arguments) const {
+Outcome CommandTest::run(const std::string& program, const std::string& arguments, const std::string& before) const {
   const fs::path out = directory_.string() + ".out";
   const fs::path err = directory_.string() + ".err";
-  const std::string command = fmt::format("cd '{}' && '{}/pelagic-{}' {} >'{}' 2>'{}'", directory_.string(),
+  const std::string command = fmt::format("cd '{}' && {} '{}/pelagic-{}' {} >'{}' 2>'{}'", directory_.string(), before,
                                           PELAGIC_BIN_DIR, program, arguments, out.string(), err.string());
   const int raw = std::system(command.c_str());
   Outcome outcome{WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contents(out), contents(err)};
@@ -45,8 +45,8 @@ Outcome CommandTest::run(const std::string& program, const std::string& argument
   return outcome;
 }
 
-void CommandTest::succeed(const std::string& program, const std::string& arguments) const {
-  const Outcome outcome = run(program, arguments);
+void CommandTest::succeed(const std::string& program, const std::string& arguments, const std::string& before) const {
+  const Outcome outcome = run(program, arguments, before);
   EXPECT_EQ(outcome.status, 0) << program << " " << arguments << "\n" << outcome.err;
   EXPECT_EQ(outcome.err, "");
 }

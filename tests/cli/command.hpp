@@ -22,10 +22,10 @@ class CommandTest : public testing::Test {
   CommandTest();
   ~CommandTest() override;
 
-  /// Runs pelagic-`program` in the directory. `arguments` are words of a shell.
-  Outcome run(const std::string& program, const std::string& arguments) const;
+  /// Runs pelagic-`program` in the directory. `arguments` and `before`, what starts it, are words of a shell.
+  Outcome run(const std::string& program, const std::string& arguments, const std::string& before = "") const;
   /// Runs it and expects success and silence on stderr.
-  void succeed(const std::string& program, const std::string& arguments) const;
+  void succeed(const std::string& program, const std::string& arguments, const std::string& before = "") const;
   /// Expects status 2, one line on stderr that holds every one of `names`, and no file left behind.
   void refused(const std::string& program, const std::string& arguments, const std::vector<std::string>& names) const;
 
