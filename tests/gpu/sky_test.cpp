@@ -343,6 +343,26 @@ TEST_F(SkyTest, MipsKeepTheSum) {
   }
 }
 
+TEST_F(SkyTest, MipsAreBinomial) {
+  auto sky = create({});
+  const Map fine = draw(sky, stateOf(12)).environment;
+  const Map coarse = read(sky.maps().environment, 1);
+  constexpr double kWeights[] = {0.125, 0.375, 0.375, 0.125};
+  for (int y = 13; y < 120; y += 7) {
+    for (int x = 12; x < 120; x += 5) {
+      glm::dvec4 expected(0);
+      for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+          const int u = 2 * x + i - 1, v = 2 * y + j - 1;
+          expected += kWeights[i] * kWeights[j] * glm::dvec4(fine.at(u, v), fine.alpha(u, v));
+        }
+      }
+      const glm::dvec4 value(coarse.at(x, y), coarse.alpha(x, y));
+      EXPECT_LT(glm::length(value - expected), 5e-3 * glm::length(expected) + 1e-6) << x << ' ' << y;
+    }
+  }
+}
+
 TEST_F(SkyTest, AerialPerspectiveGetsTheExtinctionAtSeaLevel) {
   pelagic::SkyState state = stateOf(30);
   state.haze = 3;
