@@ -13,27 +13,32 @@ layout(set = 0, binding = 5) writeonly uniform image2DArray momentsMap;
 layout(set = 0, binding = 6) writeonly uniform image2DArray foamMap;
 layout(push_constant) uniform Push { WaveColumnsPush push; };
 
+// a: dDx/dx, dDz/dz, dDz/dx, h; b: Dx, Dz, dh/dx, dh/dz.
+void store(uint cascade, WaveCascade constants, uint row, vec4 a, vec4 b) {
+  const uvec2 texel = uvec2(gl_GlobalInvocationID.x, row);
+  const ivec3 place = ivec3(texel, cascade);
+  const float jacobian = (1 + a.x) * (1 + a.y) - a.z * a.z;
+  imageStore(displacementMap, place, vec4(b.x, a.w, b.y, jacobian));
+  imageStore(gradientMap, place, vec4(b.zw, a.xy));
+  imageStore(momentsMap, place, vec4(0, 0, 0, a.z));
+  if (cascade < push.foamCascades) {
+    const float now = breakingCoverage(jacobian, constants.foldThreshold, constants.inverseSpread);
+    const float past = float(history[(cascade * kSize + texel.y) * kSize + texel.x]) / float(kFoamSteps) - push.fade;
+    imageStore(foamMap, place, vec4(max(now, past), 0, 0, 0));
+  }
+}
+
 void main() {
   const uint cascade = gl_WorkGroupID.z;
   const WaveCascade constants = cascades[cascade];
   transformColumn(2 * cascade);
   vec4 a[16];  // dDx/dx, dDz/dz, dDz/dx, h * heightScale
-  [[unroll]] for (uint e = 0; e < 16; ++e) a[e] = v[e];
+#define KEEP(e) a[e] = v[e];
+  FFT_EACH(KEEP)
   barrier();
-  transformColumn(2 * cascade + 1);  // Dx, Dz, dh/dx, dh/dz
+  transformColumn(2 * cascade + 1);
 
   const float heightScale = 1 / constants.heightScale;
-  [[unroll]] for (uint e = 0; e < 16; ++e) {
-    const uvec2 texel = uvec2(gl_GlobalInvocationID.x, FFT_THREAD + e * FFT_THREADS);
-    const ivec3 place = ivec3(texel, cascade);
-    const float jacobian = (1 + a[e].x) * (1 + a[e].y) - a[e].z * a[e].z;
-    imageStore(displacementMap, place, vec4(v[e].x, a[e].w * heightScale, v[e].y, jacobian));
-    imageStore(gradientMap, place, vec4(v[e].zw, a[e].xy));
-    imageStore(momentsMap, place, vec4(0, 0, 0, a[e].z));
-    if (cascade < push.foamCascades) {
-      const float now = breakingCoverage(jacobian, constants.foldThreshold, constants.inverseSpread);
-      const float past = float(history[(cascade * kSize + texel.y) * kSize + texel.x]) / float(kFoamSteps) - push.fade;
-      imageStore(foamMap, place, vec4(max(now, past), 0, 0, 0));
-    }
-  }
+#define STORE(e) store(cascade, constants, FFT_THREAD + e * FFT_THREADS, a[e] * vec4(1, 1, 1, heightScale), v[e]);
+  FFT_EACH(STORE)
 }

@@ -19,13 +19,11 @@ shared vec4 slots[16 * gl_WorkGroupSize.y * gl_WorkGroupSize.x];
 // `plane` counts planes of all cascades.
 void transformColumn(uint plane) {
   const int first = int(plane * kSize * kSize + gl_GlobalInvocationID.x);
-  [[unroll]] for (uint e = 0; e < 16; ++e) {
-    const uint row = FFT_THREAD + e * FFT_THREADS;
-    v[e] = vec4(0);
-    if (e * FFT_THREADS < kBand || (e + 1) * FFT_THREADS > kSize - kBand) {
-      v[e] = texelFetch(planes, first + int(row * kSize));
-    }
-  }
+#define LOAD(e)                                                                  \
+  v[e] = e * FFT_THREADS < kBand || (e + 1) * FFT_THREADS > kSize - kBand         \
+             ? texelFetch(planes, first + int((FFT_THREAD + e * FFT_THREADS) * kSize)) \
+             : vec4(0);
+  FFT_EACH(LOAD)
   transformLine();
 }
 

@@ -19,48 +19,62 @@ vec4 turned(vec4 a, vec2 w) {
 }
 vec4 quarterTurn(vec4 a) { return vec4(-a.y, a.x, -a.w, a.z); }
 
-void transform4(uint a, uint b, uint c, uint d) {
-  const vec4 sumEven = v[a] + v[c];
-  const vec4 differenceEven = v[a] - v[c];
-  const vec4 sumOdd = v[b] + v[d];
-  const vec4 differenceOdd = quarterTurn(v[b] - v[d]);
-  v[a] = sumEven + sumOdd;
-  v[b] = differenceEven + differenceOdd;
-  v[c] = sumEven - sumOdd;
-  v[d] = differenceEven - differenceOdd;
+// F(0) ... F(15). Loops over registers are written out like this, because a driver that leaves one as a loop puts the
+// registers into memory.
+#define FFT_EACH_4(F, a) F(a) F(a + 1) F(a + 2) F(a + 3)
+#define FFT_EACH(F) \
+  F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7) F(8) F(9) F(10) F(11) F(12) F(13) F(14) F(15)
+
+void transform2(inout vec4 a, inout vec4 b) {
+  const vec4 sum = a + b;
+  b = a - b;
+  a = sum;
 }
 
-// Samples first, first + 2, ... in natural order.
-void transform8(uint first) {
-  transform4(first, first + 4, first + 8, first + 12);
-  transform4(first + 2, first + 6, first + 10, first + 14);
-  const vec4 odd0 = v[first + 2];
-  const vec4 odd1 = turned(v[first + 6], vec2(kEighth, kEighth));
-  const vec4 odd2 = quarterTurn(v[first + 10]);
-  const vec4 odd3 = turned(v[first + 14], vec2(-kEighth, kEighth));
-  const vec4 even0 = v[first];
-  const vec4 even1 = v[first + 4];
-  const vec4 even2 = v[first + 8];
-  const vec4 even3 = v[first + 12];
-  v[first] = even0 + odd0;
-  v[first + 2] = even1 + odd1;
-  v[first + 4] = even2 + odd2;
-  v[first + 6] = even3 + odd3;
-  v[first + 8] = even0 - odd0;
-  v[first + 10] = even1 - odd1;
-  v[first + 12] = even2 - odd2;
-  v[first + 14] = even3 - odd3;
+void transform4(inout vec4 a, inout vec4 b, inout vec4 c, inout vec4 d) {
+  const vec4 sumEven = a + c;
+  const vec4 differenceEven = a - c;
+  const vec4 sumOdd = b + d;
+  const vec4 differenceOdd = quarterTurn(b - d);
+  a = sumEven + sumOdd;
+  b = differenceEven + differenceOdd;
+  c = sumEven - sumOdd;
+  d = differenceEven - differenceOdd;
 }
 
-void exchangeRegisters(uint a, uint b) {
-  const vec4 keep = v[a];
-  v[a] = v[b];
-  v[b] = keep;
+void transform8(inout vec4 a, inout vec4 b, inout vec4 c, inout vec4 d, inout vec4 e, inout vec4 f, inout vec4 g,
+                inout vec4 h) {
+  transform4(a, c, e, g);
+  transform4(b, d, f, h);
+  d = turned(d, vec2(kEighth, kEighth));
+  f = quarterTurn(f);
+  h = turned(h, vec2(-kEighth, kEighth));
+  transform2(a, b);
+  transform2(c, d);
+  transform2(e, f);
+  transform2(g, h);
+  // Now a, c, e, g hold samples 0 ... 3 and b, d, f, h samples 4 ... 7.
+  const vec4 sample1 = c, sample2 = e, sample3 = g, sample4 = b, sample5 = d, sample6 = f;
+  b = sample1;
+  c = sample2;
+  d = sample3;
+  e = sample4;
+  f = sample5;
+  g = sample6;
+}
+
+void swapped(inout vec4 a, inout vec4 b) {
+  const vec4 keep = a;
+  a = b;
+  b = keep;
 }
 
 void transform16() {
-  [[unroll]] for (uint i = 0; i < 4; ++i) transform4(i, i + 4, i + 8, i + 12);
-  const float c1 = 0.92387953251128674, s1 = 0.38268343236508977;
+  transform4(v[0], v[4], v[8], v[12]);
+  transform4(v[1], v[5], v[9], v[13]);
+  transform4(v[2], v[6], v[10], v[14]);
+  transform4(v[3], v[7], v[11], v[15]);
+  const float c1 = 0.92387953251128674, s1 = 0.38268343236508977;  // of 2 pi / 16
   v[5] = turned(v[5], vec2(c1, s1));
   v[6] = turned(v[6], vec2(kEighth, kEighth));
   v[7] = turned(v[7], vec2(s1, c1));
@@ -70,56 +84,99 @@ void transform16() {
   v[13] = turned(v[13], vec2(s1, c1));
   v[14] = turned(v[14], vec2(-kEighth, kEighth));
   v[15] = turned(v[15], vec2(-c1, -s1));
-  [[unroll]] for (uint i = 0; i < 4; ++i) transform4(4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3);
-  [[unroll]] for (uint i = 0; i < 4; ++i) {
-    [[unroll]] for (uint j = i + 1; j < 4; ++j) exchangeRegisters(4 * i + j, 4 * j + i);
-  }
+  transform4(v[0], v[1], v[2], v[3]);
+  transform4(v[4], v[5], v[6], v[7]);
+  transform4(v[8], v[9], v[10], v[11]);
+  transform4(v[12], v[13], v[14], v[15]);
+  swapped(v[1], v[4]);
+  swapped(v[2], v[8]);
+  swapped(v[3], v[12]);
+  swapped(v[6], v[9]);
+  swapped(v[7], v[13]);
+  swapped(v[11], v[14]);
 }
 
-// v[k] times w^k, k = 0 ... 15.
-void twiddle16(vec2 w) {
-  vec2 power[16];
-  power[1] = w;
-  v[1] = turned(v[1], w);
-  [[unroll]] for (uint k = 2; k < 16; ++k) {
-    power[k] = times(power[k / 2], power[k - k / 2]);
-    v[k] = turned(v[k], power[k]);
-  }
+// v[k] times w^k.
+void twiddle16(vec2 w1) {
+  const vec2 w2 = times(w1, w1), w3 = times(w1, w2), w4 = times(w2, w2), w5 = times(w2, w3), w6 = times(w3, w3),
+             w7 = times(w3, w4), w8 = times(w4, w4);
+  v[1] = turned(v[1], w1);
+  v[2] = turned(v[2], w2);
+  v[3] = turned(v[3], w3);
+  v[4] = turned(v[4], w4);
+  v[5] = turned(v[5], w5);
+  v[6] = turned(v[6], w6);
+  v[7] = turned(v[7], w7);
+  v[8] = turned(v[8], w8);
+  v[9] = turned(v[9], times(w4, w5));
+  v[10] = turned(v[10], times(w5, w5));
+  v[11] = turned(v[11], times(w5, w6));
+  v[12] = turned(v[12], times(w6, w6));
+  v[13] = turned(v[13], times(w6, w7));
+  v[14] = turned(v[14], times(w7, w7));
+  v[15] = turned(v[15], times(w7, w8));
 }
 
-// For butterflies of `radix` (2, 4 or 8) that end the transform: v[m + k b] times w_m^k with b = 16/radix butterflies a
-// thread and w_m = w e^{2 pi i m/16}.
-void twiddleLast(uint radix, vec2 w) {
-  const uint butterflies = 16 / radix;
-  [[unroll]] for (uint m = 0; m < butterflies; ++m) {
-    const vec2 base = times(w, unit(kTwoPi * float(m) / 16));
-    vec2 power = base;
-    [[unroll]] for (uint k = 1; k < radix; ++k) {
-      v[m + k * butterflies] = turned(v[m + k * butterflies], power);
-      power = times(power, base);
-    }
+// The last pass where N is no power of 16: 16/radix butterflies a thread, whose sample k is turned by w_m^k with
+// w_m = w e^{2 pi i m/16} for butterfly m.
+void last2(vec2 w) {
+#define FFT_LAST_2(m)                                                \
+  v[m + 8] = turned(v[m + 8], times(w, unit(kTwoPi * float(m) / 16))); \
+  transform2(v[m], v[m + 8]);
+  FFT_EACH_4(FFT_LAST_2, 0)
+  FFT_EACH_4(FFT_LAST_2, 4)
+}
+
+void last4(vec2 w) {
+#define FFT_LAST_4(m)                                        \
+  {                                                          \
+    const vec2 w1 = times(w, unit(kTwoPi * float(m) / 16));  \
+    const vec2 w2 = times(w1, w1);                           \
+    v[m + 4] = turned(v[m + 4], w1);                         \
+    v[m + 8] = turned(v[m + 8], w2);                         \
+    v[m + 12] = turned(v[m + 12], times(w1, w2));            \
+    transform4(v[m], v[m + 4], v[m + 8], v[m + 12]);         \
   }
+  FFT_EACH_4(FFT_LAST_4, 0)
+}
+
+void last8(vec2 w) {
+#define FFT_LAST_8(m)                                                                                                 \
+  {                                                                                                                   \
+    const vec2 w1 = times(w, unit(kTwoPi * float(m) / 16));                                                           \
+    const vec2 w2 = times(w1, w1), w3 = times(w1, w2), w4 = times(w2, w2);                                            \
+    v[m + 2] = turned(v[m + 2], w1);                                                                                  \
+    v[m + 4] = turned(v[m + 4], w2);                                                                                  \
+    v[m + 6] = turned(v[m + 6], w3);                                                                                  \
+    v[m + 8] = turned(v[m + 8], w4);                                                                                  \
+    v[m + 10] = turned(v[m + 10], times(w2, w3));                                                                     \
+    v[m + 12] = turned(v[m + 12], times(w3, w3));                                                                     \
+    v[m + 14] = turned(v[m + 14], times(w3, w4));                                                                     \
+    transform8(v[m], v[m + 2], v[m + 4], v[m + 6], v[m + 8], v[m + 10], v[m + 12], v[m + 14]);                        \
+  }
+  FFT_LAST_8(0)
+  FFT_LAST_8(1)
 }
 
 // Puts sample k of this thread's radix-16 butterfly at its place behind `done` finished samples.
 void exchange(uint done) {
   const uint first = (FFT_THREAD / done) * done * 16 + FFT_THREAD % done;
-  [[unroll]] for (uint k = 0; k < 16; ++k) FFT_EXCHANGE(first + k * done) = v[k];
+#define FFT_PUT(k) FFT_EXCHANGE(first + k * done) = v[k];
+  FFT_EACH(FFT_PUT)
   barrier();
-  [[unroll]] for (uint e = 0; e < 16; ++e) v[e] = FFT_EXCHANGE(FFT_THREAD + e * FFT_THREADS);
+#define FFT_TAKE(e) v[e] = FFT_EXCHANGE(FFT_THREAD + e * FFT_THREADS);
+  FFT_EACH(FFT_TAKE)
 }
 
 // Every thread of the work-group calls it. Before a second call in one shader: barrier().
 void transformLine() {
   transform16();
   exchange(1);
+  const vec2 w = unit(kTwoPi * float(FFT_THREAD) / float(kSize));
   if (kSize == 64) {
-    twiddleLast(4, unit(kTwoPi * float(FFT_THREAD) / float(kSize)));
-    [[unroll]] for (uint m = 0; m < 4; ++m) transform4(m, m + 4, m + 8, m + 12);
+    last4(w);
   } else if (kSize == 128) {
-    twiddleLast(8, unit(kTwoPi * float(FFT_THREAD) / float(kSize)));
-    transform8(0);
-    transform8(1);
+    last8(w);
   } else {
     twiddle16(unit(kTwoPi * float(FFT_THREAD % 16) / 256));
     transform16();
@@ -127,17 +184,10 @@ void transformLine() {
   if (kSize > 256) {
     barrier();
     exchange(16);
-    const vec2 w = unit(kTwoPi * float(FFT_THREAD) / float(kSize));
     if (kSize == 512) {
-      twiddleLast(2, w);
-      [[unroll]] for (uint m = 0; m < 8; ++m) {
-        const vec4 sum = v[m] + v[m + 8];
-        v[m + 8] = v[m] - v[m + 8];
-        v[m] = sum;
-      }
+      last2(w);
     } else {
-      twiddleLast(4, w);
-      [[unroll]] for (uint m = 0; m < 4; ++m) transform4(m, m + 4, m + 8, m + 12);
+      last4(w);
     }
   }
 }

@@ -11,16 +11,19 @@ layout(set = 0, binding = 2, std430) readonly buffer Before { uint before[]; };
 layout(set = 0, binding = 3, std430) writeonly buffer After { uint after[]; };
 layout(push_constant) uniform Push { WaveFoamPush push; };
 
+void tick(uint cascade, WaveCascade constants, uint row, vec4 a) {
+  const uint texel = (cascade * kSize + row) * kSize + gl_GlobalInvocationID.x;
+  const float jacobian = (1 + a.x) * (1 + a.y) - a.z * a.z;
+  const float coverage = breakingCoverage(jacobian, constants.foldThreshold, constants.inverseSpread);
+  const uint now = uint(coverage * float(kFoamSteps) + 0.5);
+  const uint past = before[texel] * push.keep;
+  after[texel] = max(now, max(past, 1u) - 1u);
+}
+
 void main() {
   const uint cascade = gl_WorkGroupID.z;
   const WaveCascade constants = cascades[cascade];
   transformColumn(cascade);
-  [[unroll]] for (uint e = 0; e < 16; ++e) {
-    const uint texel = (cascade * kSize + FFT_THREAD + e * FFT_THREADS) * kSize + gl_GlobalInvocationID.x;
-    const float jacobian = (1 + v[e].x) * (1 + v[e].y) - v[e].z * v[e].z;
-    const float coverage = breakingCoverage(jacobian, constants.foldThreshold, constants.inverseSpread);
-    const uint now = uint(coverage * float(kFoamSteps) + 0.5);
-    const uint past = before[texel] * push.keep;
-    after[texel] = max(now, max(past, 1u) - 1u);
-  }
+#define TICK(e) tick(cascade, constants, FFT_THREAD + e * FFT_THREADS, v[e]);
+  FFT_EACH(TICK)
 }

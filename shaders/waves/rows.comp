@@ -24,9 +24,6 @@ shared vec4 slots[kStride * gl_WorkGroupSize.y];
 #define FFT_EXCHANGE(i) slots[gl_LocalInvocationID.y * kStride + (i) + (i) / 16]
 #include "waves/fft.glsl"
 
-vec2 h[16];
-float chop[16];
-
 // Phase of `cycles` turns per loop [rad], from the high word of cycles x fraction.
 float phase(uint cycles) {
   uint high, low;
@@ -37,6 +34,33 @@ float phase(uint cycles) {
 // Whether samples e N/16 ... (e + 1) N/16 of a line are not all zero.
 bool inBand(uint e) { return e * FFT_THREADS < kBand || (e + 1) * FFT_THREADS > kSize - kBand; }
 
+// Signed wave number along x of the sample e N/16 + this thread's.
+float waveNumber(uint e, float step) {
+  const uint column = FFT_THREAD + e * FFT_THREADS;
+  return step * float(e < 8 ? int(column) : int(column) - int(kSize));
+}
+
+// h(k) = h0(k) e^{-i w t} + conj h0(-k) e^{+i w t}, and chop
+vec3 evolved(int mode) {
+  const vec4 amplitude = texelFetch(amplitudes, mode);
+  const uvec2 constants = texelFetch(modes, mode).xy;
+  const vec2 w = unit(phase(constants.x));
+  return vec3((amplitude.x + amplitude.z) * w.x + (amplitude.y - amplitude.w) * w.y,
+              (amplitude.y + amplitude.w) * w.x + (amplitude.z - amplitude.x) * w.y, uintBitsToFloat(constants.y));
+}
+
+// D = i k chop h, so dDx/dx = -kx^2 chop h and so on. h: real and imaginary part, chop.
+vec4 planeA(float kx, float kz, vec3 h, float heightScale) {
+  const vec3 stretch = -h.z * vec3(kx * kx, kz * kz, kx * kz);
+  return vec4(stretch.x * h.x - stretch.y * h.y, stretch.x * h.y + stretch.y * h.x,
+              stretch.z * h.x - heightScale * h.y, stretch.z * h.y + heightScale * h.x);
+}
+
+vec4 planeB(float kx, float kz, vec3 h) {
+  const vec2 gradient = vec2(-kz * h.x - kx * h.y, kx * h.x - kz * h.y);  // i (kx + i kz) h
+  return vec4(h.z * gradient, gradient);
+}
+
 void main() {
   const uint cascade = gl_WorkGroupID.z;
   uint row = gl_GlobalInvocationID.y;
@@ -44,41 +68,24 @@ void main() {
   const float step = cascades[cascade].waveNumberStep;
   const float heightScale = cascades[cascade].heightScale;
   const float kz = step * float(row < kSize / 2 ? int(row) : int(row) - int(kSize));
-  const int line = int((cascade * kSize + row) * kSize);
+  const int line = int((cascade * kSize + row) * kSize + FFT_THREAD);
+  const uint target = (cascade * kPlanes * kSize + row) * kSize + FFT_THREAD;
 
-  [[unroll]] for (uint e = 0; e < 16; ++e) {
-    h[e] = vec2(0);
-    chop[e] = 0;
-    v[e] = vec4(0);
-    if (!inBand(e)) continue;
-    const uint column = FFT_THREAD + e * FFT_THREADS;
-    const float kx = step * float(e < 8 ? int(column) : int(column) - int(kSize));
-    const vec4 amplitude = texelFetch(amplitudes, line + int(column));
-    const uvec2 mode = texelFetch(modes, line + int(column)).xy;
-    const vec2 w = unit(phase(mode.x));
-    // h0(k) e^{-i w t} + conj h0(-k) e^{+i w t}
-    h[e] = vec2((amplitude.x + amplitude.z) * w.x + (amplitude.y - amplitude.w) * w.y,
-                (amplitude.y + amplitude.w) * w.x + (amplitude.z - amplitude.x) * w.y);
-    chop[e] = uintBitsToFloat(mode.y);
-    // D = i k chop h, so dDx/dx = -kx^2 chop h and so on.
-    const vec3 stretch = -chop[e] * vec3(kx * kx, kz * kz, kx * kz);
-    v[e] = vec4(stretch.x * h[e].x - stretch.y * h[e].y, stretch.x * h[e].y + stretch.y * h[e].x,
-                stretch.z * h[e].x - heightScale * h[e].y, stretch.z * h[e].y + heightScale * h[e].x);
-  }
+  vec3 h[16];
+#define EVOLVE(e)                                                            \
+  h[e] = inBand(e) ? evolved(line + int(e * FFT_THREADS)) : vec3(0);         \
+  v[e] = inBand(e) ? planeA(waveNumber(e, step), kz, h[e], heightScale) : vec4(0);
+  FFT_EACH(EVOLVE)
   transformLine();
-  const uint target = ((cascade * kPlanes) * kSize + row) * kSize + FFT_THREAD;
-  [[unroll]] for (uint e = 0; e < 16; ++e) planes[target + e * FFT_THREADS] = v[e];
+#define STORE_A(e) planes[target + e * FFT_THREADS] = v[e];
+  FFT_EACH(STORE_A)
 
   if (kPlanes == 2) {
     barrier();
-    [[unroll]] for (uint e = 0; e < 16; ++e) {
-      const uint column = FFT_THREAD + e * FFT_THREADS;
-      const float kx = step * float(e < 8 ? int(column) : int(column) - int(kSize));
-      // i (kx + i kz) h
-      const vec2 gradient = vec2(-kz * h[e].x - kx * h[e].y, kx * h[e].x - kz * h[e].y);
-      v[e] = vec4(chop[e] * gradient, gradient);
-    }
+#define TURN_TO_B(e) v[e] = inBand(e) ? planeB(waveNumber(e, step), kz, h[e]) : vec4(0);
+    FFT_EACH(TURN_TO_B)
     transformLine();
-    [[unroll]] for (uint e = 0; e < 16; ++e) planes[target + kSize * kSize + e * FFT_THREADS] = v[e];
+#define STORE_B(e) planes[target + kSize * kSize + e * FFT_THREADS] = v[e];
+    FFT_EACH(STORE_B)
   }
 }
