@@ -7,10 +7,11 @@
 
 namespace pelagic {
 
-/// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: clear ocean water (Jerlov I to IB).
+/// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: the open ocean between
+/// Jerlov's types IB and II: pure sea water with a little yellow substance and particles.
 struct WaterMedium {
-  glm::vec3 absorption{0.465f, 0.0600f, 0.0150f};    ///< a [1/m], 1e-4 … 100.
-  glm::vec3 backscatter{0.0010f, 0.0016f, 0.0034f};  ///< b_b [1/m], 0 … 100.
+  glm::vec3 absorption{0.470f, 0.0680f, 0.0450f};    ///< a [1/m], 1e-4 … 100.
+  glm::vec3 backscatter{0.0017f, 0.0022f, 0.0030f};  ///< b_b [1/m], 0 … 100.
 };
 Result<void> validate(const WaterMedium& medium);
 
