@@ -61,7 +61,7 @@ Result<void> checkLimits(const Context& context) {
       {limits.maxComputeWorkGroupInvocations, 256, "maxComputeWorkGroupInvocations"},
       {limits.maxComputeSharedMemorySize, 32768, "maxComputeSharedMemorySize"},
       {limits.maxPushConstantsSize, 128, "maxPushConstantsSize"},
-      {limits.maxPerStageDescriptorStorageImages, 8, "maxPerStageDescriptorStorageImages"},
+      {limits.maxPerStageDescriptorStorageImages, 24, "maxPerStageDescriptorStorageImages"},
       {limits.timestampComputeAndGraphics, 1, "timestampComputeAndGraphics"},
   };
   for (const Limit& check : checks) {

@@ -17,11 +17,17 @@ Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count, st
   // Outer edge at 0.7 of the Nyquist mode; the next patch is shorter by a ratio that puts the same wave number at its
   // mode >= 16. The factor e/2.8 makes every ratio of lengths irrational, so that the sum of all patches never repeats.
   const double outerMode = 0.7 * 0.5 * size;
-  const double ratio = outerMode / 16 * (std::numbers::e / 2.8);
+  // No cascade is spent on waves shorter than a millimetre; their periods would not fit the longest loop either. Where
+  // the cascades would reach beyond, they lie closer, but never closer than the least ratio.
+  constexpr double kHighest = 8000;  // [rad/m]
+  constexpr double kLeastRatio = 1.3;
+  const double shortest = outerMode * 2 * std::numbers::pi / kHighest;
+  double length = std::fmax(8 * longestPeakWavelength(strongest), shortest * std::pow(kLeastRatio, count - 1));
+  double ratio = outerMode / 16 * (std::numbers::e / 2.8);
+  if (count > 1) ratio = std::fmin(ratio, std::pow(length / shortest, 1.0 / (count - 1)));
   WaveLayout layout;
   layout.size = size;
   layout.count = count;
-  double length = 8 * longestPeakWavelength(strongest);
   double inner = 0;
   for (std::uint32_t c = 0; c < count; ++c) {
     const double outer = outerMode * 2 * std::numbers::pi / length;

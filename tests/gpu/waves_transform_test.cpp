@@ -8,7 +8,8 @@ using support::kFields;
 class WaveTransformTest : public support::WavesTest, public testing::WithParamInterface<std::uint32_t> {};
 
 TEST_P(WaveTransformTest, AgreesWithFftw) {
-  auto info = support::wavesInfo(GetParam(), 2, 12);
+  const std::uint32_t cascades = GetParam() < 1024 ? 2 : 1;  // the largest takes seconds
+  auto info = support::wavesInfo(GetParam(), cascades, 12);
   info.sea.depth = 40;
   info.sea.choppiness = 0.9;
   auto waves = create(info);
@@ -19,7 +20,6 @@ TEST_P(WaveTransformTest, AgreesWithFftw) {
     const auto reference = support::referenceFields(info, cascade, kTime);
     for (std::size_t f = 0; f < kFields; ++f) {
       const double error = support::relativeError(fields[f], reference[f]);
-      RecordProperty("error", std::to_string(error));
       EXPECT_LT(error, 1e-5) << kFieldNames[f] << " of cascade " << cascade;
     }
     const auto displacement = common::readFloats(gpu(), waves.maps().displacement, 0, cascade);
