@@ -116,7 +116,7 @@ struct Range {
 };
 
 /// Range of X / W over the hull, widened by `margin` in every direction. W is piecewise linear, so its extremes lie at
-/// the corners and where an edge crosses the bend of W.
+/// the corners and where an edge crosses a bend of W.
 Range columnRange(const Hull& hull, const RowDensity& rows, double margin) {
   std::array<glm::dvec2, 4 * 32> points;
   std::size_t count = 0;
@@ -128,15 +128,18 @@ Range columnRange(const Hull& hull, const RowDensity& rows, double margin) {
       points[count++] = p;
     }
   }
-  if (rows.slope < 1e-9) return range;
-  const double bend = (rows.floor - rows.offset) / rows.slope;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      const glm::dvec2 a = points[i];
-      const glm::dvec2 b = points[j];
-      if (a.y < bend && b.y > bend) range.add(glm::mix(a.x, b.x, (bend - a.y) / (b.y - a.y)) / rows.floor);
+  for (const double bend : rows.bends()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) {
+        const glm::dvec2 a = points[i];
+        const glm::dvec2 b = points[j];
+        if (a.y < bend && b.y > bend) range.add(glm::mix(a.x, b.x, (bend - a.y) / (b.y - a.y)) / rows.width(bend));
+      }
     }
   }
+  // Between two rows the sides are chords of W.
+  range.low -= rows.step;
+  range.high += rows.step;
   return range;
 }
 
@@ -152,7 +155,6 @@ RowDensity densityOf(const Frustum& frustum, double height, const Relief& relief
   rows.height = std::max(std::hypot(height, relief.deviation), 0.05);
   rows.slope = std::hypot(frustum.axis.x, frustum.axis.z);
   rows.offset = -side * frustum.axis.y * rows.height;
-  // Nearer than the nearest flat water in the picture there are only crests from outside it.
   rows.floor = rows.height / std::max(slopes.high, (slopes.high - slopes.low) / 4);
   rows.reach = relief.deviation * frustum.pixels.y;
   constexpr double kChordError = 0.05;  // [px]

@@ -13,43 +13,78 @@ double meanInverse(double a, double b) noexcept {
 
 }  // namespace
 
-double RowDensity::width(double z) const noexcept { return std::max(slope * z + offset, floor); }
+std::array<double, 2> RowDensity::bends() const noexcept {
+  constexpr double kNever = 1e12;  // farther than any water [m]
+  const double bend =
+      slope > 1e-9 ? std::clamp((floor - offset) / slope, -kNever, kNever) : (offset >= floor ? -kNever : kNever);
+  return {bend - floor, bend};
+}
+
+double RowDensity::width(double z) const noexcept {
+  const double bend = bends()[1];
+  return z >= bend ? std::max(slope * z + offset, floor) : std::min(floor + (bend - z), 2 * floor);
+}
 
 double RowDensity::density(double z) const noexcept {
   const double w = width(z);
-  const double waves = w < reach ? (1 / w - 1 / reach) / (kAspect * step) : 0;
-  return height / (step * w * w) + waves + curvature / std::sqrt(w);
+  const double flat = height / (step * w * w);
+  const double waves = w < reach ? std::min(1 / (kAspect * step * w), kFlatter * flat) * (1 - w / reach) : 0;
+  return flat + waves + curvature / std::sqrt(w);
 }
 
 double RowDensity::count(double from, double to) const noexcept {
-  // W is constant up to the bend and linear beyond it.
-  const bool linear = slope > 1e-9;
-  const double bend = linear ? std::clamp((floor - offset) / slope, from, to) : to;
-  double rows = density(from) * (bend - from);
-  if (bend >= to) return rows;
-  const double a = width(bend);
+  double rows = 0;
+  for (const double bend : bends()) {
+    const double end = std::clamp(bend, from, to);
+    rows += linearCount(from, end);
+    from = end;
+  }
+  return rows + linearCount(from, to);
+}
+
+double RowDensity::linearCount(double from, double to) const noexcept {
+  if (!(from < to)) return 0;
+  const double a = width(from);
   const double b = width(to);
-  rows += height / step * (to - bend) / (a * b);
-  rows += curvature * 2 * (to - bend) / (std::sqrt(a) + std::sqrt(b));
-  if (a < reach) {
-    const double end = std::min(b, reach);
-    rows += (end - a) / slope * (meanInverse(a, end) - 1 / reach) / (kAspect * step);
+  double rows = (to - from) * (height / (step * a * b) + 2 * curvature / (std::sqrt(a) + std::sqrt(b)));
+  // The waves' demand has one form up to `turn` and another from there to `reach`.
+  const double turn = std::min(kFlatter * kAspect * height, reach);
+  const double low = std::min(a, b);
+  const double high = std::max(a, b);
+  const auto stretch = [&](double wa, double wb) {
+    return high - low > 1e-12 * low ? (to - from) * (wb - wa) / (high - low) : (to - from);
+  };
+  if (low < turn) {
+    const double end = std::min(high, turn);
+    rows += stretch(low, end) * (meanInverse(low, end) - 1 / reach) / (kAspect * step);
+  }
+  if (low < reach && high > turn) {
+    const double start = std::max(low, turn);
+    const double end = std::min(high, reach);
+    rows += stretch(start, end) * (1 / (start * end) - meanInverse(start, end) / reach) * kFlatter * height / step;
   }
   return rows;
 }
 
 double RowDensity::before(double z) const noexcept {
-  // With the first demand alone the answer is exact; it lies too far away for all three, from where Newton's iteration
-  // on the convex count() comes back without overshooting.
+  // Bracketed Newton iteration; the first guess is right where the first demand alone counts.
   const double w = width(z);
   const double inverse = 1 / w + slope * step / height;
-  double guess = slope > 1e-9 ? (1 / inverse - offset) / slope : z - step * w * w / height;
-  if (slope * guess + offset < floor) guess = std::min(guess, z) - step * floor * floor / height;
-  guess = std::min(guess, z);
-  for (int i = 0; i < 30; ++i) {
+  double low = z;
+  double stride = step * w * w / height;
+  if (z > bends()[1] && slope > 1e-9) stride = std::min(stride, z - (1 / inverse - offset) / slope);
+  do {
+    low -= stride;
+    stride *= 2;
+  } while (count(low, z) < 1);
+  double high = z;
+  double guess = low;
+  for (int i = 0; i < 60; ++i) {
     const double excess = count(guess, z) - 1;
-    guess += excess / density(guess);
     if (std::abs(excess) < 1e-9) break;
+    (excess > 0 ? low : high) = guess;
+    guess += excess / density(guess);
+    if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
   }
   return guess;
 }

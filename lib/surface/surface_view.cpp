@@ -163,8 +163,9 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
 
 /// Lays out the grid and fills `frame`.
 surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& camera) noexcept {
-  const auto grid = surface::projectGrid(camera, extent, static_cast<double>(surface->targetEdge),
-                                         surface::reliefOf(maps), limits, rows);
+  const surface::Relief relief = surface::reliefOf(maps);
+  const auto grid =
+      surface::projectGrid(camera, extent, static_cast<double>(surface->targetEdge), relief, limits, rows);
   const glm::mat4 clip = camera.projection * glm::mat4(camera.rotation);
   const glm::dvec3 moved = hasPrevious ? camera.position - previousPosition : glm::dvec3(0);
   frame.previousClip = hasPrevious ? frame.clip : clip;

@@ -39,11 +39,10 @@ float cellLength(uint j, float lateral) {
   return max(lateral, (rows[after].x - rows[before].x) / float(after - before));
 }
 
-// Bits 0 to 3: beyond a side of the picture, bit 4: drawn in to the far circle. The margin covers rounding.
+// Bits 0 to 3: beyond a side of the picture by more than rounding, bit 4: drawn in to the far circle.
 uint outcode(vec4 clip, bool drawnIn) {
-  float w = clip.w + 1e-4 * abs(clip.w);
-  return uint(clip.x < -w) | uint(clip.x > w) << 1 | uint(clip.y < -w) << 2 | uint(clip.y > w) << 3 |
-         uint(drawnIn) << 4;
+  bvec4 beyond = lessThan(vec4(clip.w) + vec4(clip.x, -clip.x, clip.y, -clip.y), vec4(-1e-4 * abs(clip.w)));
+  return uint(beyond.x) | uint(beyond.y) << 1 | uint(beyond.z) << 2 | uint(beyond.w) << 3 | uint(drawnIn) << 4;
 }
 
 void main() {
@@ -56,13 +55,8 @@ void main() {
   vec2 ground = local.x * frame.axes.xy + local.y * frame.axes.zw;
 
   float footprint = cellLength(index.y, frame.columnStep * row.y);
-  vec3 now = displaced(displacement, ground, footprint);
-  vec3 position = now + vec3(ground.x, -curvatureDrop(dot(ground, ground)) - frame.cameraHeight, ground.y);
-  vec2 previousGround = ground + frame.previousOffset.xz;
-  vec3 before = displaced(previousDisplacement, ground, footprint) +
-                vec3(previousGround.x, -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w,
-                     previousGround.y);
-  vec4 previous = frame.previousClip * vec4(before, 1);
+  vec3 position = vec3(ground.x, -curvatureDrop(dot(ground, ground)) - frame.cameraHeight, ground.y) +
+                  displaced(displacement, ground, footprint);
 
   if (gl_LocalInvocationIndex == 0) outside = ~0u;
   barrier();
@@ -71,6 +65,11 @@ void main() {
   uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (gl_LocalInvocationIndex == 0) flags[block] = uint(outside == 0);
   if (outside == 0) {
+    vec2 previousGround = ground + frame.previousOffset.xz;
+    float previousLevel = -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w;
+    vec3 before = vec3(previousGround.x, previousLevel, previousGround.y) +
+                  displaced(previousDisplacement, ground, footprint);
+    vec4 previous = frame.previousClip * vec4(before, 1);
     uint base = 2 * (block * kBlockVertices + gl_LocalInvocationIndex);
     vertices[base] = vec4(position, previous.x);
     vertices[base + 1] = vec4(ground, previous.yw);
