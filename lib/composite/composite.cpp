@@ -227,9 +227,9 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     view.recordInputs(commands, compositeFrame(waves, camera, medium, extent));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
-    // Eight tiles a group.
+    // A tile an invocation, 8 x 8 of them a group.
     view.passes->classify.dispatch(commands, gpu::groups(extent.width, 8 * shader::kTileSize),
-                                   gpu::groups(extent.height, shader::kTileSize));
+                                   gpu::groups(extent.height, 8 * shader::kTileSize));
     gpu::Barrier().buffer(view.tiles, kComputeReadIndirect).record(*view.context, commands);
   });
   const auto shade = [&](const gpu::ComputePass& pass, std::uint32_t list) {

@@ -39,6 +39,9 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   frame.absorption = glm::vec4(medium.absorption, static_cast<float>(camera.position.y));
   const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
   frame.waterAlbedo = glm::vec4(albedo, 0);
+  // Crests of 0.6 to 3 m let light through.
+  frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), 0);
+  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), 0);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
   const glm::dvec2 wind(std::cos(waves.windDirection), std::sin(waves.windDirection));

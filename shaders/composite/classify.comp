@@ -3,38 +3,37 @@
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
 #include "composite/footprint.glsl"
+#include "physics/optics.glsl"
 
-// Eight tiles a group, a row of a tile an invocation.
+// A tile an invocation: the work for a tile is small, and so no invocation waits for others.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 1, std430) writeonly buffer Tiles { uint tileWords[]; };
 
-// Of each row of a tile: the nearest water.
+// The water of a tile that is nearest to the eye.
 struct Water {
   float distance;  // along the camera's axis [m], less than 0 without water
   vec2 position;   // undisplaced, from the eye [m]
 };
-shared Water rows[8][8];
 
-Water nearer(Water a, Water b) {
-  bool second = b.distance >= 0.0 && (a.distance < 0.0 || b.distance < a.distance);
-  return second ? b : a;
-}
-
-Water nearestOfRow(uvec2 first) {
+Water nearestWater(uvec2 first) {
   Water result = Water(-1.0, vec2(0));
-  ivec2 nearest = ivec2(0);
-  for (uint i = 0u; i < kTileSize; ++i) {
-    ivec2 place = ivec2(min(first + uvec2(i, 0), uvec2(frame.width - 1u, frame.height - 1u)));
-    Pixel pixel = readPixel(place);
+  ivec2 nearest = ivec2(first);
+  for (uint i = 0u; i < kTileSize * kTileSize; ++i) {
+    uvec2 place = first + uvec2(i % kTileSize, i / kTileSize);
+    place = min(place, uvec2(frame.width - 1u, frame.height - 1u));
+    Pixel pixel = readPixel(ivec2(place));
     float distance = pixel.water ? max(axialDistance(pixel.waterDepth), 0.0) : -1.0;
     if (distance >= 0.0 && (result.distance < 0.0 || distance < result.distance)) {
       result.distance = distance;
-      nearest = place;
+      nearest = ivec2(place);
     }
   }
-  if (result.distance >= 0.0) result.position = texelFetch(waterPosition, nearest, 0).xy;
+  result.position = texelFetch(waterPosition, nearest, 0).xy;
   return result;
 }
+
+// How much a wave's face may lean toward the eye [rad].
+const float kSteepFace = 0.3;
 
 // Steepest of the views through a tile's corners: sine of the angle to the water.
 float steepestView(uvec2 tile) {
@@ -43,13 +42,13 @@ float steepestView(uvec2 tile) {
     vec3 ray = pixelRay(ivec2((tile + uvec2(corner & 1u, corner >> 1)) * kTileSize));
     result = max(result, -ray.y * inversesqrt(dot(ray, ray)));
   }
-  return result;
+  return min(result + kSteepFace, 1.0);
 }
 
 // Cascades with any foam near the tile's water. A mip's texel is 0 only where all under it are, and the level is coarse
 // enough for four of its texels to cover the tile.
 uint foamingCascades(Water water, float view) {
-  float side = 2.0 * float(kTileSize) * water.distance * frame.waterAlbedo.w / clamp(view, 0.02, 1.0);
+  float side = 2.0 * float(kTileSize) * water.distance * frame.waterAlbedo.w / clamp(view - kSteepFace, 0.02, 1.0);
   uint mask = 0u;
   for (uint c = 0u; c < frame.waves.cascades; ++c) {
     vec4 placement = frame.waves.placement[c];
@@ -60,23 +59,32 @@ uint foamingCascades(Water water, float view) {
   return mask;
 }
 
-void main() {
-  uvec2 tile = uvec2(gl_WorkGroupID.x * 8u + gl_LocalInvocationID.x, gl_WorkGroupID.y);
-  rows[gl_LocalInvocationID.x][gl_LocalInvocationID.y] =
-      nearestOfRow(tile * kTileSize + uvec2(0, gl_LocalInvocationID.y));
-  barrier();
-  if (gl_LocalInvocationID.y == 0u && tile.x * kTileSize < frame.width) {
-    Water water = rows[gl_LocalInvocationID.x][0];
-    for (uint i = 1u; i < 8u; ++i) water = nearer(water, rows[gl_LocalInvocationID.x][i]);
-    float view = steepestView(tile);
-    uint foaming = water.distance >= 0.0 ? foamingCascades(water, view) : 0u;
-    uint list = water.distance < 0.0 ? kSkyTiles : foaming == 0u ? kWaterTiles : kFoamTiles;
-    uint index = atomicAdd(tileWords[4u * list + 3u], 1u);
-    atomicMax(tileWords[4u * list], min(index + 1u, kTilesPerRow));
-    atomicMax(tileWords[4u * list + 1u], index / kTilesPerRow + 1u);
-    uint cascades = cascadesToSample(footprintSide(max(water.distance, 0.0) * frame.waterAlbedo.w, view));
-    uint word = kTileListStart + 2u * (list * frame.tiles + index);
-    tileWords[word] = tile.x | tile.y << 16;
-    tileWords[word + 1u] = cascades | foaming << 8;
+// What is the same for all water, once a frame.
+void writeFrameLight() {
+  vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(light.sunIrradiance.rgb, light.sunDirection.y,
+                                                          light.skyIrradiance.rgb);
+  float height = max(frame.absorption.w, 0.0);
+  vec3 air = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
+             light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
+  for (uint i = 0u; i < 3u; ++i) {
+    tileWords[kWaterRadianceWord + i] = floatBitsToUint(under[i]);
+    tileWords[kAirExtinctionWord + i] = floatBitsToUint(air[i]);
   }
+}
+
+void main() {
+  uvec2 tile = gl_GlobalInvocationID.xy;
+  if (tile == uvec2(0)) writeFrameLight();
+  if (tile.x * kTileSize >= frame.width || tile.y * kTileSize >= frame.height) return;
+  Water water = nearestWater(tile * kTileSize);
+  float view = steepestView(tile);
+  uint foaming = water.distance >= 0.0 ? foamingCascades(water, view) : 0u;
+  uint list = water.distance < 0.0 ? kSkyTiles : foaming == 0u ? kWaterTiles : kFoamTiles;
+  uint index = atomicAdd(tileWords[4u * list + 3u], 1u);
+  atomicMax(tileWords[4u * list], min(index + 1u, kTilesPerRow));
+  atomicMax(tileWords[4u * list + 1u], index / kTilesPerRow + 1u);
+  uint cascades = cascadesToSample(footprintSide(max(water.distance, 0.0) * frame.waterAlbedo.w, view));
+  uint word = kTileListStart + 2u * (list * frame.tiles + index);
+  tileWords[word] = tile.x | tile.y << 16;
+  tileWords[word + 1u] = cascades | foaming << 8;
 }

@@ -25,7 +25,7 @@ struct FoamPattern {
   float height;      // what the footprint resolves of it
   float unresolved;  // standard deviation of the rest
 };
-const uint kFoamOctaves = 4u;
+const uint kFoamOctaves = 5u;
 const float kRidgeMean = 0.644;       // of 1 - |2 n - 1|
 const float kRidgeDeviation = 0.237;
 
@@ -33,7 +33,7 @@ const float kRidgeDeviation = 0.237;
 FoamPattern foamPattern(vec2 q, float footprint) {
   FoamPattern pattern = FoamPattern(0.0, 0.0);
   uvec2 cells = uvec2(uint(kFoamPeriod));
-  float weight = 0.45;
+  float weight = 0.42;
   float cell = 1.0;
   for (uint octave = 0u; octave < kFoamOctaves; ++octave) {
     float kept = clamp(1.5 - 2.0 * footprint / cell, 0.0, 1.0);
@@ -43,7 +43,7 @@ FoamPattern foamPattern(vec2 q, float footprint) {
     // Turned and shrunk by whole numbers, so that every octave repeats with the first.
     q = vec2(2.0 * q.x + q.y, 2.0 * q.y - q.x);
     cell *= 0.4472136;
-    weight *= 0.8;
+    weight *= 0.85;
   }
   pattern.unresolved = kRidgeDeviation * sqrt(pattern.unresolved);
   return pattern;
@@ -57,14 +57,16 @@ struct Foam {
 // The share of the sea above a level of the pattern is what the freshness asks for, at every distance: near by the level
 // cuts lace out of the pattern, far off the share itself is what is left.
 Foam foamAt(float freshness, vec2 p, float footprint) {
-  const float kWhole = 0.162;  // standard deviation of the whole pattern
+  const float kWhole = 0.169;  // standard deviation of the whole pattern
   const float kEdge = 0.04;     // softness of an edge near by
   vec2 wind = frame.foam.zw;
   vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
   // Older foam gathers in streaks along the wind.
   float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
   float aged = clamp(freshness * (0.4 + 1.2 * streak), 0.0, 1.0);
-  float share = clamp(mix(aged, freshness, freshness), 0.0, 0.98);
+  float left = mix(aged, freshness, freshness);
+  // A patch keeps most of its cover until it is old; with this the cover follows Monahan's within a factor of 2.
+  float share = min(left * (2.0 - left), 0.98);
 
   FoamPattern pattern = foamPattern(q, footprint);
   // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).
@@ -73,8 +75,8 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   Foam foam;
   foam.cover = min(share * 50.0, 1.0) / (1.0 + exp(-1.702 * clamp(z, -30.0, 30.0)));
   // Thin toward the edges of a patch, and thinner with age.
-  float thickness = clamp(0.3 + 2.5 * (pattern.height - level), 0.0, 1.0);
-  foam.albedo = mix(0.35, 0.8, thickness * sqrt(share));
+  float thickness = clamp(0.3 + 1.2 * (pattern.height - level), 0.0, 1.0);
+  foam.albedo = mix(0.35, 0.85, thickness * sqrt(share));
   return foam;
 }
 

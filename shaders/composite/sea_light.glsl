@@ -49,26 +49,21 @@ vec3 environment(vec3 v, vec2 slope, vec3 covariance) {
   return sum.rgb / max(sum.a, 0.02);
 }
 
-// Radiance from below the surface, of the light that entered it [per unit of 1 - F].
-vec3 waterRadiance(vec3 l) {
-  return frame.waterAlbedo.rgb * enteringIrradiance(light.sunIrradiance.rgb, l.y, light.skyIrradiance.rgb);
-}
-
 // Light of the sky behind a crest that is thin enough to be seen through: into the near face and out of the far one,
 // coloured by absorption on the way. How far the water is pushed together tells how thin a crest is; only crests seen
 // against the light show it, since there the bright sky stands behind them.
 vec3 crestLight(SeaPoint sea, vec3 v, vec3 l, vec3 behind) {
   float sharp = smoothstep(0.35, 0.95, sea.compression);
   float against = clamp(-dot(v.xz, l.xz) * inversesqrt(max(dot(v.xz, v.xz), 1e-6)), 0.0, 1.0);
-  float path = mix(3.0, 0.6, sharp);
-  return behind * (0.35 * sharp * against) * exp(-frame.absorption.rgb * path);
+  return behind * (0.35 * sharp * against) * mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
 }
 
 // Radiance of the sea without foam toward v; v and l in the level frame of the point. `horizon`: the sky's radiance at the
 // horizon beyond the point.
 vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
-  vec3 under = waterRadiance(l);
+  vec3 under = uintBitsToFloat(uvec3(tileWords[kWaterRadianceWord], tileWords[kWaterRadianceWord + 1u],
+                                     tileWords[kWaterRadianceWord + 2u]));
 
   float deviation = seen.deviation * inversesqrt(max(dot(v.xz, v.xz), 1e-6)) * sea.normal.y;
   float fresnel = meanFresnel(dot(v, sea.normal), deviation);

@@ -4,9 +4,9 @@
 #include "composite/bindings.glsl"
 #include "composite/sky_lookup.glsl"
 #include "composite/sea_slopes.glsl"
+#include "composite/tiles.glsl"
 #include "composite/sea_light.glsl"
 #include "composite/foam.glsl"
-#include "composite/tiles.glsl"
 
 // One pipeline for tiles with foam, one without.
 layout(constant_id = 4) const bool kFoaming = false;
@@ -15,10 +15,9 @@ const float kEarthRadius = 6371000.0;
 
 // Transmittance of the air between the eye and the water `distance` [m] away.
 vec3 airTransmittance(float distance) {
-  float height = max(frame.absorption.w, 0.0);
-  vec3 depth = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
-               light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
-  return exp(-depth * distance);
+  vec3 extinction = uintBitsToFloat(uvec3(tileWords[kAirExtinctionWord], tileWords[kAirExtinctionWord + 1u],
+                                          tileWords[kAirExtinctionWord + 2u]));
+  return exp(-extinction * distance);
 }
 
 // A direction in the level frame of a point that lies p [m] from the eye: the Earth's curvature tilts the vertical.
@@ -46,13 +45,14 @@ void main() {
     vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
     vec3 v = levelled(-d, p);
     vec3 l = levelled(light.sunDirection.xyz, p);
-    // What a pixel covers of the undisplaced sea: from its neighbour above or below, the nearer one, since the other may
-    // lie beyond a crest; but not finer than the view's own spread.
+    // What a pixel covers of the undisplaced sea, from its neighbours above and below; one of them may lie beyond a crest.
     float across = axial * frame.waterAlbedo.w;
     vec2 above = texelFetch(waterPosition, max(tile.pixel - ivec2(0, 1), ivec2(0)), 0).xy - p;
     vec2 below = texelFetch(waterPosition, min(tile.pixel + ivec2(0, 1), ivec2(frame.width, frame.height) - 1), 0).xy - p;
-    float along = sqrt(min(dot(above, above), dot(below, below)));
-    float side = footprintSide(across, clamp(across / max(along, 1e-6), v.y * 0.25, 1.0));
+    float a = dot(above, above);
+    float b = dot(below, below);
+    float along = sqrt(min(max(a, b), 9.0 * min(a, b)));
+    float side = footprintSide(across, across / max(along, across));
     SeaPoint sea = seaPoint(p, side, tile.cascades, kFoaming ? tile.foaming : 0u);
     radiance = seaRadiance(sea, v, l, beyond);
     normal.xyz = sea.normal;

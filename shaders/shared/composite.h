@@ -14,6 +14,10 @@ PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // no water seen: sky, or the ho
 PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
 PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
 PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;
+// Where the tile buffer holds what is the same for all water, as the bits of floats: radiance from below the surface
+// per 1 - F, and extinction of the air between the eye and the sea [1/m].
+PELAGIC_SHADER_CONSTANT uint kWaterRadianceWord = 16u;
+PELAGIC_SHADER_CONSTANT uint kAirExtinctionWord = 20u;
 // 32-bit words before the first list, whose entries have two.
 PELAGIC_SHADER_CONSTANT uint kTileListStart = 64u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
@@ -27,6 +31,8 @@ struct CompositeFrame {
   vec4 rayX;         // w: A
   vec4 rayY;         // w: the depth of the far plane
   vec4 absorption;   // a [1/m] per channel; w: height of the eye over the still water below it [m]
+  vec4 thinCrest;    // transmittance of the thinnest and
+  vec4 thickCrest;   // of the thickest crest that light comes through
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   uint width;        // of the view [px]
