@@ -40,6 +40,10 @@ void Timings::begin(VkCommandBuffer commands, const char* name) noexcept {
   impl_->passes[impl_->count].name = name;
   vk::CommandBuffer(commands).writeTimestamp2(vk::PipelineStageFlagBits2::eBottomOfPipe, *impl_->pool, 2 * impl_->count,
                                               impl_->context->dispatch);
+  // A software device may write the timestamp only when it next waits; without this it would do so at the pass's end.
+  constexpr auto kStages = vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eFragmentShader;
+  const vk::MemoryBarrier2 execution(kStages, {}, kStages, {});
+  vk::CommandBuffer(commands).pipelineBarrier2(vk::DependencyInfo({}, 1, &execution), impl_->context->dispatch);
   impl_->open = true;
 }
 
