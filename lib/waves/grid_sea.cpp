@@ -105,7 +105,8 @@ Result<void> validate(const WavesInfo& info) {
 
 std::uint32_t foamCascades(const WaveLayout& layout) noexcept {
   std::uint32_t count = 1;
-  while (count < layout.count && layout.cascades[count].kMin < kTwoPi / kShortestFoamingWave) ++count;
+  const auto middle = [&](const Cascade& cascade) { return std::sqrt(cascade.kMin * cascade.kMax); };
+  while (count < layout.count && middle(layout.cascades[count]) < kTwoPi / kShortestFoamingWave) ++count;
   return count;
 }
 

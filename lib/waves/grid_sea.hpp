@@ -21,7 +21,8 @@ struct GridSea {
 /// Checks every field; the error names it, its value and its range.
 Result<void> validate(const WavesInfo& info);
 
-/// How many cascades, from the longest, keep foam: those that hold waves longer than a metre, at least one.
+/// How many cascades, from the longest, keep foam: those whose waves are longer than a metre, at the
+/// middle of the band; at least one.
 std::uint32_t foamCascades(const WaveLayout& layout) noexcept;
 
 /// `sea` and `info` must be valid; `info.sea` is not used.
