@@ -70,8 +70,8 @@ struct WaveMaps {
   std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
   /// Standard deviation of the elevation [m], Hs/4 on the grid; no crest is expected above 6 of them.
   double elevationDeviation = 0;
-  /// Standard deviation of the length of the horizontal displacement (Dx, Dz) [m], choppiness included; shallow water
-  /// makes it larger than choppiness * elevationDeviation, which is taken as its least value.
+  /// Standard deviation of the length of the horizontal displacement (Dx, Dz) [m]: choppiness * elevationDeviation in
+  /// deep water, more in shallow.
   double horizontalDeviation = 0;
   double choppiness = 1;
 };

@@ -43,8 +43,7 @@ GridLimits limitsOf(VkExtent2D extent, float targetEdge) {
 constexpr double kCrest = 6;
 
 Relief reliefOf(const WaveMaps& maps) noexcept {
-  const double horizontal = std::max(maps.horizontalDeviation, maps.choppiness * maps.elevationDeviation);
-  return {maps.elevationDeviation, kCrest * maps.elevationDeviation, kCrest * horizontal};
+  return {maps.elevationDeviation, kCrest * maps.elevationDeviation, kCrest * maps.horizontalDeviation};
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   std::array<JacobianSpread, kMaxCascades> spreads{};
   glm::dvec3 slopes(0);
   double elevation = 0;
+  double horizontal = 0;
   for (std::uint32_t c = 0; c < layout.count; ++c) {
     const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);
@@ -130,8 +131,10 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
         grid.report.frequencyError, frequencyError(modes, layout.cascades[c], layout.size, sea.depth, info.loopPeriod));
     slopes += moments.slopes;
     elevation += moments.elevation;
+    horizontal += moments.horizontal;
   }
   grid.elevationDeviation = std::sqrt(elevation);
+  grid.horizontalDeviation = std::sqrt(horizontal);
 
   SeaReport& report = grid.report;
   report.targetHeight = significantWaveHeight(sea);

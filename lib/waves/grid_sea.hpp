@@ -15,6 +15,7 @@ struct GridSea {
   std::array<shader::WaveCascade, kMaxCascades> cascades{};
   std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
   double elevationDeviation = 0;
+  double horizontalDeviation = 0;
   SeaReport report;
 };
 

@@ -90,10 +90,13 @@ CascadeMoments momentsOf(const CascadeModes& modes, const Cascade& cascade, std:
   const double dk = kTwoPi / cascade.length;
   for (std::uint32_t row = 0; row < size; ++row) {
     for (std::uint32_t column = 0; column < size; ++column) {
-      const double variance = modes.variance[static_cast<std::size_t>(row) * size + column];
+      const std::size_t mode = static_cast<std::size_t>(row) * size + column;
+      const double variance = modes.variance[mode];
+      const double chop = static_cast<double>(modes.constants[mode].chop);
       const double kx = dk * modeOf(column, size);
       const double kz = dk * modeOf(row, size);
       sum.elevation += variance;
+      sum.horizontal += variance * chop * chop * (kx * kx + kz * kz);
       sum.slopes += variance * glm::dvec3(kx * kx, kz * kz, kx * kz);
     }
   }

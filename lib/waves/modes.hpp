@@ -30,9 +30,11 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
 /// Phase of n cycles per loop at time t: 2 pi frac(n t / T) with the 64-bit fraction of t/T, exact for any t.
 std::uint64_t loopFraction(double time, double loopPeriod) noexcept;
 
-/// Expected elevation variance [m^2] and slope covariance (xx, zz, xz) of a cascade's modes.
+/// Expected elevation variance [m^2], variance of the horizontal displacement's length [m^2] and slope covariance
+/// (xx, zz, xz) of a cascade's modes.
 struct CascadeMoments {
   double elevation = 0;
+  double horizontal = 0;
   glm::dvec3 slopes{0};
 };
 CascadeMoments momentsOf(const CascadeModes& modes, const Cascade& cascade, std::uint32_t size);

@@ -159,6 +159,7 @@ WaveMaps Waves::maps() const noexcept {
   maps.unresolved = impl_->grid.report.unresolved;
   maps.slopeCovariance = impl_->grid.slopeCovariance;
   maps.elevationDeviation = impl_->grid.elevationDeviation;
+  maps.horizontalDeviation = impl_->grid.horizontalDeviation;
   maps.choppiness = impl_->grid.sea.choppiness;
   return maps;
 }

@@ -49,6 +49,21 @@ TEST(Modes, CarryTheSpectrumsEnergy) {
   EXPECT_NEAR(variance, 0.5 * (psi + opposite) * dk * dk, 1e-12 * variance);
 }
 
+TEST(Modes, MoveWaterSidewaysAsFarAsUpwardInDeepWaterAndFartherInShallow) {
+  SeaState sea;
+  sea.choppiness = 0.7;
+  const auto ratioOf = [&] {
+    const WaveLayout layout = layoutOf(sea, 2, 64);
+    const CascadeMoments moments = momentsOf(makeModes(sea, layout, 0, 4194304), layout.cascades[0], layout.size);
+    return std::sqrt(moments.horizontal / moments.elevation);
+  };
+  EXPECT_NEAR(ratioOf(), 0.7, 1e-6);
+  // Every wave of the cascade is longer than L / 22.4, so coth(k h) exceeds that of the shortest.
+  sea.depth = 2;
+  const WaveLayout layout = layoutOf(sea, 2, 64);
+  EXPECT_GT(ratioOf(), 0.7 / std::tanh(layout.cascades[0].kMax * sea.depth));
+}
+
 TEST(Modes, SumToTheSpectrumsIntegrals) {
   SeaState sea;
   sea.windSpeed = 11;
