@@ -64,9 +64,7 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   // Older foam gathers in streaks along the wind.
   float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
   float aged = clamp(freshness * (0.4 + 1.2 * streak), 0.0, 1.0);
-  float left = mix(aged, freshness, freshness);
-  // A patch keeps most of its cover until it is old; with this the cover follows Monahan's within a factor of 2.
-  float share = min(left * (2.0 - left), 0.98);
+  float share = clamp(mix(aged, freshness, freshness), 0.0, 0.98);
 
   FoamPattern pattern = foamPattern(q, footprint);
   // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).

@@ -4,9 +4,12 @@
 #include "pelagic/shader/wave_lookup.glsl"
 
 // The maps' mips are square, a pixel's footprint on the water is an ellipse `across` [m] wide and drawn out by the slant of
-// the view, of which `slant` is the sine. One square of the same area stands for it, but none so large that crests seen
-// along would blur: what remains finer than the ellipse is deep shows as resolved slope, so that no variance is lost.
-float footprintSide(float across, float slant) { return across * clamp(inversesqrt(max(slant, 1e-4)), 1.0, 8.0); }
+// the view, of which `slant` is the sine. A square stands for it whose side lies between the ellipse's two, nearer the
+// longer one: what it leaves unresolved across is variance, what it misses along shows as slope, so that no variance is lost.
+float footprintSide(float across, float slant) {
+  float root = inversesqrt(max(slant, 1e-4));
+  return across * clamp(root * sqrt(root), 1.0, 24.0);
+}
 
 // A cascade holds no wave longer than 1/16 of its patch (pelagic::waveLayout), so that a footprint of that length [m]
 // leaves nothing of it but its variance.
