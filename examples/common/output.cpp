@@ -14,19 +14,22 @@ namespace fs = std::filesystem;
 
 OutputSet::~OutputSet() {
   std::error_code ignored;
-  for (const auto& [temporary, path] : files_) fs::remove(temporary, ignored);
+  for (const File& file : files_) fs::remove(file.temporary, ignored);
   for (auto made = directories_.rbegin(); made != directories_.rend(); ++made) fs::remove(*made, ignored);
 }
 
 fs::path OutputSet::add(const std::string& option, const fs::path& path) {
-  const auto known = std::find_if(files_.begin(), files_.end(), [&](const auto& file) { return file.second == path; });
-  if (known != files_.end()) return known->first;
+  const auto known = std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.path == path; });
+  if (known != files_.end() && known->option != option) {
+    refuse(option, path.string(), "another file than that of " + known->option);
+  }
+  if (known != files_.end()) return known->temporary;
   std::error_code none;
   const std::string allowed = "a file name in a directory that exists and can be written";
   if (!path.has_filename() || fs::is_directory(path, none)) refuse(option, path.string(), allowed);
   const fs::path temporary = path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
   if (!std::ofstream(temporary, std::ios::binary)) refuse(option, path.string(), allowed);
-  files_.emplace_back(temporary, path);
+  files_.push_back({temporary, path, option});
   return temporary;
 }
 
@@ -43,10 +46,11 @@ void OutputSet::addDirectory(const std::string& option, const fs::path& path) {
 }
 
 void OutputSet::commit() {
-  for (const auto& [temporary, path] : files_) {
+  for (const File& file : files_) {
     std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) throw Failure(ExitCode::device, fmt::format("cannot write '{}': {}", path.string(), error.message()));
+    fs::rename(file.temporary, file.path, error);
+    if (error)
+      throw Failure(ExitCode::device, fmt::format("cannot write '{}': {}", file.path.string(), error.message()));
   }
   files_.clear();
   directories_.clear();

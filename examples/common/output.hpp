@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace common {
@@ -25,8 +24,13 @@ class OutputSet {
   void commit();
 
  private:
-  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;  ///< Temporary and final name.
-  std::vector<std::filesystem::path> directories_;                              ///< Made here, outermost first.
+  struct File {
+    std::filesystem::path temporary;
+    std::filesystem::path path;
+    std::string option;
+  };
+  std::vector<File> files_;
+  std::vector<std::filesystem::path> directories_;  ///< Made here, outermost first.
 };
 
 /// Writes a whole text file at a path from OutputSet::add.

@@ -83,6 +83,9 @@ void addSceneOptions(Program& program, Scene& scene) {
   program.addFile("--sea", "Options of the sea from a file; its keys are their names, options override it", sea, "Sea");
   program.add(sea, "Sea");
   program.add(lightFields(scene), "Light, water and camera");
+  program.app().footer(
+      "Scene and sea files are TOML; their keys are the options' names: wind = 8, camera = [0, 3, 0],\n"
+      "swell = [[1.1, 10, 95, 40]]. A scene also has title and time. --sea takes the keys of the group Sea.");
 }
 
 pelagic::OceanInfo oceanInfo(const Scene& scene) {

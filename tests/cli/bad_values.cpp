@@ -4,24 +4,22 @@ namespace cli {
 
 const std::vector<Bad>& badSea() {
   static const std::vector<Bad> list{
-      {"--wind",
-       {"nan", "inf", "-inf", "-1", "0", "0.09", "60.1", "1e300", "1e999", "fast", "8m", "''", "8,9"},
-       "0.1 to 60 m/s"},
-      {"--wind-direction", {"nan", "inf", "361", "-361", "north", "''"}, "-360 to 360 degrees"},
-      {"--fetch", {"nan", "inf", "0", "-5", "10001", "far", "''"}, "0.1 to 10000 km"},
-      {"--depth", {"nan", "-inf", "0", "0.4", "-10", "deep", "''"}, "0.5 to inf m"},
-      {"--spectrum", {"elfouhaily", "buoy.csv", "JONSWAP", "none", "''"}, "phillips, pierson-moskowitz, jonswap, tma"},
-      {"--spreading", {"cos4", "''"}, "cos2, mitsuyasu, hasselmann, donelan-banner"},
-      {"--swell", {"0,10,0", "-1,10,0", "21,10,0", "nan,10,0"}, "more than 0 to 20 m"},
+      {"--wind", {"nan", "-inf", "-1", "0.09", "60.1", "1e999", "8m", "''"}, "0.1 to 60 m/s"},
+      {"--wind-direction", {"nan", "361", "-361", "north"}, "-360 to 360 degrees"},
+      {"--fetch", {"nan", "inf", "0", "10001"}, "0.1 to 10000 km"},
+      {"--depth", {"nan", "-inf", "0.4", "deep"}, "0.5 to inf m"},
+      {"--spectrum", {"elfouhaily", "buoy.csv", "JONSWAP"}, "phillips, pierson-moskowitz, jonswap, tma"},
+      {"--spreading", {"cos4"}, "cos2, mitsuyasu, hasselmann, donelan-banner"},
+      {"--swell", {"0,10,0", "21,10,0", "nan,10,0"}, "more than 0 to 20 m"},
       {"--swell", {"1,0.9,0", "1,31,0", "1,x,0"}, "1 to 30 s"},
       {"--swell", {"1,10,400", "1,10,inf"}, "-360 to 360 degrees"},
       {"--swell", {"1,10,0,0", "1,10,0,201"}, "1 to 200"},
-      {"--swell", {"1", "1,10", "1,10,0,20,5", "''"}, "HS_M,TP_S,DEG"},
-      {"--choppiness", {"-0.1", "2.1", "nan", "''"}, "0 to 2"},
-      {"--seed", {"-1", "1.5", "18446744073709551616", "x", "''"}, "whole numbers from 0 to 18446744073709551615"},
-      {"--loop", {"0", "0.9", "4194305", "inf", "nan", "-5", "''"}, "1 to 4194304 s"},
-      {"--cascades", {"0", "9", "-1", "2.5", "''"}, "whole numbers from 1 to 8"},
-      {"--size", {"0", "63", "100", "32", "2048", "-64", "64.0", "''"}, "64, 128, 256, 512, 1024"},
+      {"--swell", {"1,10", "1,10,0,20,5"}, "HS_M,TP_S,DEG"},
+      {"--choppiness", {"-0.1", "2.1", "nan"}, "0 to 2"},
+      {"--seed", {"-1", "1.5", "18446744073709551616"}, "whole numbers from 0 to 18446744073709551615"},
+      {"--loop", {"0.9", "4194305", "nan"}, "1 to 4194304 s"},
+      {"--cascades", {"0", "9", "2.5"}, "whole numbers from 1 to 8"},
+      {"--size", {"100", "32", "2048", "-64"}, "64, 128, 256, 512, 1024"},
       {"--sea", {"missing.toml", "/", "''"}, ""},
   };
   return list;
@@ -29,9 +27,9 @@ const std::vector<Bad>& badSea() {
 
 const std::vector<Bad>& badTime() {
   static const std::vector<Bad> list{
-      {"--time", {"nan", "inf", "1e10", "-1e10", "noon", "''"}, "-1000000000 to 1000000000 s"},
-      {"--frames", {"0", "-1", "1.5", "1000001", "''"}, "whole numbers from 1 to 1000000"},
-      {"--fps", {"0", "-24", "nan", "inf", "1001", "''"}, "more than 0 to 1000 1/s"},
+      {"--time", {"nan", "1e10", "-1e10"}, "-1000000000 to 1000000000 s"},
+      {"--frames", {"0", "1.5", "1000001"}, "whole numbers from 1 to 1000000"},
+      {"--fps", {"0", "nan", "1001"}, "more than 0 to 1000 1/s"},
   };
   return list;
 }

@@ -1,4 +1,6 @@
 /// Bad input of pelagic-bake, and of every option that it shares with the others: status 2 and one line.
+#include <algorithm>
+
 #include "bad_values.hpp"
 #include "command.hpp"
 
@@ -66,8 +68,16 @@ TEST_F(OptionsTest, HelpAndVersion) {
   }
 }
 
+TEST_F(OptionsTest, WithoutADeviceNothingIsWritten) {
+  const cli::Outcome outcome =
+      run("bake", "--output sea", "env VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent");
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(OptionsTest, MinimalWritesItsPicture) {
-  succeed("minimal", "--validate");
+  succeed("minimal", "--validate --device 0");
   EXPECT_EQ(files(), std::vector<std::string>{"minimal.png"});
   std::filesystem::remove(path("minimal.png"));
   refused("minimal", "--wind 3", {"--wind"});

@@ -42,6 +42,7 @@ TEST_F(RenderOptionsTest, ContradictionsAreRefused) {
   refused("render", "--time 3 --frames 2 --fps 10 --output a%04d.png", {"--time", "'3'", "--frames"});
   refused("render", "--first 3", {"--first", "'3'", "--frames"});
   refused("render", "--frames 2 --fps 10 --output a.png", {"--output", "'a.png'", "%04d"});
+  refused("render", "--output a.png --stats a.png", {"--stats", "'a.png'", "--output"});
   refused("render", "--aov depth --output a.png", {"--aov", "'depth'", ".exr"});
   refused("render", "--camera 1,2,3 --look-at 1,2,3", {"--look-at", "--camera"});
   refused("render", "--wind 99", {"--wind", "'99'", "0.1 to 60 m/s"});
