@@ -5,7 +5,9 @@
 // MAP_FORMAT and FOAM_FORMAT are defined by the build.
 #include "shared/waves.h"
 
-layout(local_size_x = 256) in;
+// Each thread makes a block of 4 x 4 texels into the first two levels by itself: a thread without a texel at some level
+// costs as much as one with, on software devices.
+layout(local_size_x = 64) in;
 
 layout(set = 0, binding = 0, MAP_FORMAT) readonly uniform image2DArray displacementSource;
 layout(set = 0, binding = 1, MAP_FORMAT) readonly uniform image2DArray gradientSource;
@@ -24,14 +26,16 @@ struct Texel {
   float foam;
 };
 
-// Every level has slots of its own, so that one barrier a level is enough.
-const uint kSlots = 256 + 64 + 16 + 4;
+// From the second level on, each has slots of its own, so that one barrier a level is enough.
+const uint kSlots = 64 + 16 + 4;
 shared vec4 displacements[kSlots];
 shared vec4 gradients[kSlots];
 shared vec4 moments[kSlots];
 shared float foams[kSlots];
 
-Texel load(ivec3 place, bool hasFoam) {
+// Beyond the edge, where nothing is stored, the last texel.
+Texel load(ivec3 texelPlace, bool hasFoam) {
+  const ivec3 place = min(texelPlace, ivec3(push.size - 1, push.size - 1, texelPlace.z));
   Texel texel;
   texel.displacement = imageLoad(displacementSource, place);
   texel.gradient = imageLoad(gradientSource, place);
@@ -66,36 +70,56 @@ Texel merge(Texel a, Texel b, Texel c, Texel d) {
   return texel;
 }
 
+// The mean of the 2 x 2 texels of the source below `place`.
+Texel reduced(ivec3 place, bool hasFoam) {
+  const ivec3 finer = ivec3(2 * place.xy, place.z);
+  return merge(load(finer, hasFoam), load(finer + ivec3(1, 0, 0), hasFoam), load(finer + ivec3(0, 1, 0), hasFoam),
+               load(finer + ivec3(1, 1, 0), hasFoam));
+}
+
+// Whether the mip of a level is to be made and has this texel.
+bool exists(uint level, ivec3 place) {
+  return level < push.levels && max(place.x, place.y) < int(push.size >> (level + 1));
+}
+
+// A macro, because images are chosen by constants only.
+#define STORE(level, place, texel)                                      \
+  if (exists(level, place)) {                                           \
+    imageStore(displacementMips[level], place, texel.displacement);     \
+    imageStore(gradientMips[level], place, texel.gradient);             \
+    imageStore(momentsMips[level], place, texel.moments);               \
+    if (hasFoam) imageStore(foamMips[level], place, vec4(texel.foam));  \
+  }
+
+// Makes a level of `side` x `side` texels a tile from the slots at `source`, and keeps it at `target`.
+#define REDUCE(level, side, source, target)                                                                      \
+  barrier();                                                                                                     \
+  if (thread < side * side) {                                                                                    \
+    const uvec2 local = uvec2(thread % side, thread / side);                                                     \
+    const ivec3 place = ivec3(gl_WorkGroupID.xy * side + local, gl_WorkGroupID.z);                               \
+    const uint slot = source + 4 * local.y * side + 2 * local.x;                                                 \
+    const Texel texel = merge(recall(slot), recall(slot + 1), recall(slot + 2 * side), recall(slot + 2 * side + 1)); \
+    STORE(level, place, texel)                                                                                   \
+    if (side > 1) keep(target + thread, texel);                                                                  \
+  }
+
 void main() {
   const uint thread = gl_LocalInvocationID.x;
-  const uint layer = gl_WorkGroupID.z;
-  const bool hasFoam = layer < push.foamCascades;
-  uint source = 0;  // first slot of the level before
-  uint target = 0;
-  [[unroll]] for (uint level = 0; level < kFilterLevels; ++level) {
-    const uint side = 16 >> level;  // of the tile at this level
-    const uvec2 local = uvec2(thread % side, thread / side);
-    const uvec2 texel = gl_WorkGroupID.xy * side + local;
-    const bool inside = local.y < side && max(texel.x, texel.y) < push.size >> (level + 1) && level < push.levels;
-    if (inside) {
-      Texel merged;
-      if (level == 0) {
-        const ivec3 place = ivec3(2 * texel, layer);
-        merged = merge(load(place, hasFoam), load(place + ivec3(1, 0, 0), hasFoam), load(place + ivec3(0, 1, 0), hasFoam),
-                       load(place + ivec3(1, 1, 0), hasFoam));
-      } else {
-        const uint slot = source + 2 * local.y * 2 * side + 2 * local.x;
-        merged = merge(recall(slot), recall(slot + 1), recall(slot + 2 * side), recall(slot + 2 * side + 1));
-      }
-      const ivec3 place = ivec3(texel, layer);
-      imageStore(displacementMips[level], place, merged.displacement);
-      imageStore(gradientMips[level], place, merged.gradient);
-      imageStore(momentsMips[level], place, merged.moments);
-      if (hasFoam) imageStore(foamMips[level], place, vec4(merged.foam));
-      if (level + 1 < kFilterLevels) keep(target + thread, merged);
-    }
-    barrier();
-    source = target;
-    target += side * side;
-  }
+  const bool hasFoam = gl_WorkGroupID.z < push.foamCascades;
+  const ivec3 place = ivec3(gl_WorkGroupID.xy * 8 + uvec2(thread % 8, thread / 8), gl_WorkGroupID.z);
+  const ivec3 finer = ivec3(2 * place.xy, place.z);
+  const Texel a = reduced(finer, hasFoam);
+  const Texel b = reduced(finer + ivec3(1, 0, 0), hasFoam);
+  const Texel c = reduced(finer + ivec3(0, 1, 0), hasFoam);
+  const Texel d = reduced(finer + ivec3(1, 1, 0), hasFoam);
+  STORE(0, finer, a)
+  STORE(0, finer + ivec3(1, 0, 0), b)
+  STORE(0, finer + ivec3(0, 1, 0), c)
+  STORE(0, finer + ivec3(1, 1, 0), d)
+  const Texel texel = merge(a, b, c, d);
+  STORE(1, place, texel)
+  keep(thread, texel);
+  REDUCE(2, 4, 0, 64)
+  REDUCE(3, 2, 64, 80)
+  REDUCE(4, 1, 80, 84)
 }
