@@ -126,6 +126,16 @@ TEST_F(CompositeTest, FreshFoamIsAWhiteLambertSurface) {
   EXPECT_GT(scene.normal[3], 0.9f);
 }
 
+TEST_F(CompositeTest, FoamFarOffIsItsMeanCover) {
+  SyntheticScene scene(gpu(), {16, 16});
+  scene.fillWater(5000);  // a pixel is hundreds of metres wide
+  for (const float freshness : {0.1f, 0.3f, 0.8f}) {
+    scene.foam = freshness;
+    scene.render(device());
+    for (std::size_t i = 0; i < scene.normal.size(); i += 4) ASSERT_NEAR(scene.normal[i + 3], freshness, 0.01f);
+  }
+}
+
 TEST_F(CompositeTest, FarWaterFadesIntoTheHorizon) {
   SyntheticScene scene(gpu(), {8, 8});
   scene.fillWater(20000);
