@@ -20,7 +20,7 @@ class WaveTransform {
 
   /// Copies the sea through staging slot `slot`; the slot's last copy must have been executed.
   void upload(vk::CommandBuffer commands, const GridSea& sea, std::uint32_t slot) noexcept;
-  /// Advances the foam to tick `tick` (of length kFoamTick). `keep`: the history holds the tick before.
+  /// Advances the foam by one tick of its clock. `keep`: the history holds the tick before.
   void recordFoamTick(vk::CommandBuffer commands, std::uint64_t fraction, bool keep) noexcept;
   /// The row pass of both planes.
   void recordRows(vk::CommandBuffer commands, std::uint64_t fraction) noexcept;

@@ -6,7 +6,7 @@
 namespace pelagic {
 namespace {
 
-/// The foam's clock: one tick takes one step of decay [s].
+/// The foam's clock: one tick takes one step of decay [s]. A loop has a whole number of ticks, of about this length.
 constexpr double kFoamTick = kFoamLifetime / shader::kFoamSteps;
 
 constexpr ImageState kImageClear{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
@@ -36,6 +36,9 @@ struct Waves::Impl {
   bool hasFoam = false;
   double foamTick = 0;  ///< The last tick that the foam history holds, when hasFoam.
 
+  double foamTickLength() const noexcept { return info.loopPeriod / std::round(info.loopPeriod / kFoamTick); }
+  /// Ticks since the loop began.
+  double foamClock(double time) const noexcept;
   const GridSea& latest() const noexcept { return wanted ? *wanted : grid; }
   void recordUpload(vk::CommandBuffer commands) noexcept;
   void clearFoam(vk::CommandBuffer commands) noexcept;
@@ -84,14 +87,19 @@ void Waves::Impl::recordUpload(vk::CommandBuffer commands) noexcept {
   slot = (slot + 1) % info.framesInFlight;
 }
 
+double Waves::Impl::foamClock(double time) const noexcept {
+  const double rest = std::fmod(time, info.loopPeriod);  // exact
+  return (rest < 0 ? rest + info.loopPeriod : rest) / foamTickLength();
+}
+
 void Waves::Impl::recordFoam(vk::CommandBuffer commands, double time) noexcept {
-  const double now = std::floor(time / kFoamTick);
+  const double now = std::floor(foamClock(time));
   // A tick older than kFoamSteps has faded away, so a replay of kFoamSteps ticks is complete from any start.
   const bool replay = !hasFoam || now < foamTick || now - foamTick >= shader::kFoamSteps;
   const std::uint32_t ticks = replay ? shader::kFoamSteps : static_cast<std::uint32_t>(now - foamTick);
   for (std::uint32_t left = ticks; left-- > 0;) {
     const bool keep = !replay || left + 1 < ticks;
-    transform.recordFoamTick(commands, loopFraction((now - left) * kFoamTick, info.loopPeriod), keep);
+    transform.recordFoamTick(commands, loopFraction((now - left) * foamTickLength(), info.loopPeriod), keep);
   }
   foamTick = now;
   hasFoam = true;
@@ -116,7 +124,7 @@ void Waves::Impl::recordMaps(vk::CommandBuffer commands, double time, Timings* t
       .image(images.foam, gpu::kComputeStorageWrite)
       .record(*context, commands);
   begin(timings, commands, "waves columns");
-  transform.recordColumns(commands, newest, static_cast<float>((time / kFoamTick - foamTick) / shader::kFoamSteps));
+  transform.recordColumns(commands, newest, static_cast<float>((foamClock(time) - foamTick) / shader::kFoamSteps));
   end(timings, commands);
   begin(timings, commands, "waves filter");
   filter.record(commands, images, newest);

@@ -11,7 +11,9 @@ vec3 skyRadiance(vec3 d) {
   float rows = float(textureSize(radianceMap, 0).y);
   // Not below the centre of the first row above the horizon, lest the filter mixes in the rows under it.
   float v = 0.5 + 0.5 * max(sqrt(elevation * (2.0 / kPi)), 1.0 / rows);
-  return textureLod(radianceMap, vec2(atan(d.z, d.x) * (0.5 / kPi), v), 0.0).rgb;
+  // Straight up and down have no azimuth.
+  float azimuth = dot(d.xz, d.xz) > 0.0 ? atan(d.z, d.x) : 0.0;
+  return textureLod(radianceMap, vec2(azimuth * (0.5 / kPi), v), 0.0).rgb;
 }
 
 // The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance; its edge

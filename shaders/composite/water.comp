@@ -26,6 +26,12 @@ vec3 levelled(vec3 d, vec2 p) {
   return vec3(d.xz - tilt * d.y, d.y + dot(d.xz, tilt)).xzy;
 }
 
+// Distance on the undisplaced sea from p to what a neighbouring pixel shows of it [m]; negative where it shows none.
+float distanceToNeighbour(ivec2 pixel, vec2 p) {
+  if (pixel.y < 0 || pixel.y >= int(frame.height) || texelFetch(waterBody, pixel, 0).r == 0u) return -1.0;
+  return distance(texelFetch(waterPosition, pixel, 0).xy, p);
+}
+
 void main() {
   Tile tile = readTile(kFoaming ? kFoamTiles : kWaterTiles);
   if (!tile.valid) return;
@@ -45,13 +51,12 @@ void main() {
     vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
     vec3 v = levelled(-d, p);
     vec3 l = levelled(light.sunDirection.xyz, p);
-    // What a pixel covers of the undisplaced sea, from its neighbours above and below; one of them may lie beyond a crest.
+    // What a pixel covers of the undisplaced sea, from its neighbours above and below, as far as they are water; one of them
+    // may lie beyond a crest.
     float across = axial * frame.waterAlbedo.w;
-    vec2 above = texelFetch(waterPosition, max(tile.pixel - ivec2(0, 1), ivec2(0)), 0).xy - p;
-    vec2 below = texelFetch(waterPosition, min(tile.pixel + ivec2(0, 1), ivec2(frame.width, frame.height) - 1), 0).xy - p;
-    float a = dot(above, above);
-    float b = dot(below, below);
-    float along = sqrt(min(max(a, b), 9.0 * min(a, b)));
+    float a = distanceToNeighbour(tile.pixel - ivec2(0, 1), p);
+    float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
+    float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
     float side = footprintSide(across, across / max(along, across));
     SeaPoint sea = seaPoint(p, side, tile.cascades, kFoaming ? tile.foaming : 0u);
     radiance = seaRadiance(sea, v, l, beyond);

@@ -106,7 +106,8 @@ PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, floa
 // Radiance mirrored from a light of unit irradiance (on a plane facing it), without Fresnel's factor [1/sr]:
 // p(s_h) / (4 h.y^4 (E_v + mu_v Lambda_l)), the papers' I_sun / (L_sun Omega_sun F). `c` includes discCovariance().
 PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c) {
-  if (lit.mean <= 1e-6f) return 0.0f;
+  // No facet of the sea is as steep as 10; only light and viewer both at the horizon would ask for one.
+  if (lit.mean <= 1e-6f || dot(slope, slope) > 100.0f) return 0.0f;
   float inverseY2 = 1.0f + dot(slope, slope);
   float denominator = seen.area + max(seen.mean, 0.0f) * smithLambda(lit);
   return slopeDensity(slope - mean, c) * inverseY2 * inverseY2 / (4.0f * max(denominator, 1e-6f));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -77,6 +78,17 @@ TEST_F(WaveFieldTest, LoopCloses) {
   const auto end = read(waves.maps(), 0);
   EXPECT_EQ(start[0], end[0]);
   EXPECT_EQ(start[7], end[7]);
+}
+
+TEST_F(WaveFieldTest, FoamLoopsToo) {
+  auto info = support::wavesInfo(64, 1, 14);
+  info.loopPeriod = 10.125;  // no multiple of the quarter second of the foam's clock
+  auto waves = create(info);
+  record(waves, 3.0625);
+  const auto start = common::readFloats(gpu(), waves.maps().foam);
+  EXPECT_GT(*std::max_element(start.begin(), start.end()), 0.1f);
+  record(waves, 3.0625 + 10.125 * 4);
+  EXPECT_EQ(start, common::readFloats(gpu(), waves.maps().foam));
 }
 
 TEST_F(WaveFieldTest, VarianceAndSlopesFollowTheSpectrum) {
