@@ -26,7 +26,7 @@ struct Context {
   bool hasAllocator = false;
   vk::PhysicalDeviceProperties properties;
   vk::PhysicalDeviceMemoryProperties memoryProperties;
-  std::uint32_t subgroupSize = 1;
+  std::uint64_t timestampMask = ~0ull;  ///< The bits of a timestamp that the queue family counts.
   bool namesObjects = false;
   MemoryUsage memory{};
 
@@ -40,6 +40,9 @@ struct Context {
     name(T::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename T::CType>(handle)), text);
   }
 };
+
+/// unsupported, with the name of the format and of what it lacks, unless images of optimal tiling have all `features`.
+Result<void> requireFormat(const Context& context, vk::Format format, vk::FormatFeatureFlags features);
 
 /// The error of a failed Vulkan call; `what` completes "cannot ...".
 Error vulkanError(vk::Result result, std::string_view what);

@@ -22,6 +22,13 @@ Error vulkanError(vk::Result result, std::string_view what) {
   return {code, static_cast<VkResult>(result), "cannot " + std::string(what) + ": " + vk::to_string(result)};
 }
 
+Result<void> requireFormat(const Context& context, vk::Format format, vk::FormatFeatureFlags features) {
+  const auto has = context.physicalDevice.getFormatProperties(format, context.dispatch).optimalTilingFeatures;
+  if ((has & features) == features) return {};
+  return reject("the device's format " + vk::to_string(format) + " lacks " + vk::to_string(features & ~has),
+                ErrorCode::unsupported);
+}
+
 namespace {
 
 struct Need {
@@ -85,13 +92,7 @@ Result<void> checkFormats(const Context& context) {
       {vk::Format::eR8Uint, F::eColorAttachment | F::eSampledImage},
       {vk::Format::eD32Sfloat, F::eDepthStencilAttachment | F::eSampledImage},
   };
-  for (const auto& [format, features] : needs) {
-    const auto has = context.physicalDevice.getFormatProperties(format, context.dispatch).optimalTilingFeatures;
-    if ((has & features) != features) {
-      return reject("the device's format " + vk::to_string(format) + " lacks " + vk::to_string(features & ~has),
-                    ErrorCode::unsupported);
-    }
-  }
+  for (const auto& [format, features] : needs) PELAGIC_CHECK(requireFormat(context, format, features));
   return {};
 }
 
@@ -133,11 +134,9 @@ Result<Device> Device::create(const DeviceInfo& info) {
   }
   context->dispatch.init(info.instance, info.getInstanceProcAddr, info.device);
   context->namesObjects = context->dispatch.vkSetDebugUtilsObjectNameEXT != nullptr;
-  vk::PhysicalDeviceSubgroupProperties subgroup;
-  vk::PhysicalDeviceProperties2 properties({}, &subgroup);
+  vk::PhysicalDeviceProperties2 properties;
   context->physicalDevice.getProperties2(&properties, context->dispatch);
   context->properties = properties.properties;
-  context->subgroupSize = subgroup.subgroupSize;
   context->memoryProperties = context->physicalDevice.getMemoryProperties(context->dispatch);
 
   if (context->properties.apiVersion < VK_API_VERSION_1_3) {
@@ -153,6 +152,9 @@ Result<Device> Device::create(const DeviceInfo& info) {
                        ", it must be one of the device's " + std::to_string(families.size()) +
                        " families and have graphics and compute");
   }
+  const std::uint32_t timestampBits = families[info.queueFamily].timestampValidBits;
+  if (timestampBits == 0) return gpu::reject("the queue family has no timestamps", ErrorCode::unsupported);
+  context->timestampMask = ~0ull >> (64 - timestampBits);
   PELAGIC_CHECK(gpu::checkFeatures(*context));
   PELAGIC_CHECK(gpu::checkLimits(*context));
   PELAGIC_CHECK(gpu::checkFormats(*context));

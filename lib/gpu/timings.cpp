@@ -64,7 +64,8 @@ Result<std::span<const Timings::Pass>> Timings::read() {
   if (result != vk::Result::eSuccess) return gpu::fail(result, "read the timestamps");
   const double period = impl_->context->properties.limits.timestampPeriod;  // ns per tick
   for (std::uint32_t i = 0; i < impl_->count; ++i) {
-    impl_->passes[i].milliseconds = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * period * 1e-6;
+    impl_->passes[i].milliseconds =
+        static_cast<double>((ticks[2 * i + 1] - ticks[2 * i]) & impl_->context->timestampMask) * period * 1e-6;
   }
   return std::span<const Pass>(impl_->passes.data(), impl_->count);
 }

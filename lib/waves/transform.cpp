@@ -56,6 +56,11 @@ Result<WaveImages> createWaveImages(gpu::Context& context, const WavesInfo& info
   image.array = true;
   image.usage =
       vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc;
+  // Filtering of 32-bit floats is optional in Vulkan.
+  const vk::FormatFeatureFlags features = vk::FormatFeatureFlagBits::eStorageImage |
+                                          vk::FormatFeatureFlagBits::eSampledImage |
+                                          vk::FormatFeatureFlagBits::eSampledImageFilterLinear;
+  PELAGIC_CHECK(gpu::requireFormat(context, image.format, features));
   WaveImages images;
   PELAGIC_TRY(displacement0, gpu::Image::create(context, Stage::waves, "waves displacement 0", image));
   images.displacement[0] = std::move(displacement0);
@@ -67,6 +72,7 @@ Result<WaveImages> createWaveImages(gpu::Context& context, const WavesInfo& info
   images.moments = std::move(moments);
   image.format = half ? vk::Format::eR16Sfloat : vk::Format::eR32Sfloat;
   image.usage |= vk::ImageUsageFlagBits::eTransferDst;
+  PELAGIC_CHECK(gpu::requireFormat(context, image.format, features));
   PELAGIC_TRY(foam, gpu::Image::create(context, Stage::waves, "waves foam", image));
   images.foam = std::move(foam);
   return images;
