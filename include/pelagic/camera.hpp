@@ -1,12 +1,14 @@
 /// One view of the world.
 #pragma once
 
+#include <pelagic/shader/constants.h>
+
 #include <glm/glm.hpp>
 
 namespace pelagic {
 
 /// Mean radius of the Earth [m].
-inline constexpr double kEarthRadius = 6371000;
+inline constexpr double kEarthRadius = shader::kEarthRadius;
 
 /// World space is right-handed, y up, metres. The still water is y = 0 below the camera and falls away with the Earth's
 /// curvature.

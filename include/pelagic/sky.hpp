@@ -5,6 +5,8 @@
 /// the maps is multiplied by twilightGain() when the sun is down: 1 by day, and a change of exposure else.
 #pragma once
 
+#include <pelagic/shader/constants.h>
+
 #include <glm/glm.hpp>
 #include <pelagic/device.hpp>
 #include <pelagic/image.hpp>
@@ -13,7 +15,7 @@
 namespace pelagic {
 
 /// Angular radius of the sun's disc [rad].
-inline constexpr double kSunAngularRadius = 0.004675;
+inline constexpr double kSunAngularRadius = shader::kSunAngularRadius;
 
 struct SkyState {
   double sunElevation = 0.6;  ///< Above the horizontal [rad], -pi/2 … pi/2.

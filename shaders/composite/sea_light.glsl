@@ -1,6 +1,7 @@
 // Light that comes from a point of the sea.
 #ifndef PELAGIC_COMPOSITE_SEA_LIGHT_GLSL
 #define PELAGIC_COMPOSITE_SEA_LIGHT_GLSL
+#include "pelagic/shader/constants.h"
 #include "physics/ocean_brdf.glsl"
 #include "physics/optics.glsl"
 
@@ -79,7 +80,7 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
   vec2 mirror = mirrorSlope(v, l);
   vec3 h = normalize(v + l);
   float cosIncidence = max(dot(v, h), 0.0);
-  vec3 wide = sea.residual + discCovariance(mirror, l, cosIncidence, 0.004675);
+  vec3 wide = sea.residual + discCovariance(mirror, l, cosIncidence, kSunAngularRadius);
   Visibility lit = visibility(l, sea.slope, sea.residual);
   float glint = sunReflection(seen, lit, mirror, sea.slope, wide) * fresnelReflectance(cosIncidence, kWaterIndex);
   // No mirror is brighter than the sun.

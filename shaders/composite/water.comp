@@ -1,6 +1,7 @@
 #version 460
 // Tiles with water: the sea's light and foam through the air; other pixels of such a tile are sky or the host's picture.
 #extension GL_GOOGLE_include_directive : require
+#include "pelagic/shader/constants.h"
 #include "composite/bindings.glsl"
 #include "composite/sky_lookup.glsl"
 #include "composite/sea_slopes.glsl"
@@ -10,8 +11,6 @@
 
 // One pipeline for tiles with foam, one without.
 layout(constant_id = 4) const bool kFoaming = false;
-
-const float kEarthRadius = 6371000.0;
 
 // Transmittance of the air between the eye and the water `distance` [m] away.
 vec3 airTransmittance(float distance) {

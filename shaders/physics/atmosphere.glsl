@@ -3,8 +3,9 @@
 #ifndef PELAGIC_PHYSICS_ATMOSPHERE_GLSL
 #define PELAGIC_PHYSICS_ATMOSPHERE_GLSL
 
+#include "pelagic/shader/constants.h"
+
 #ifdef __cplusplus
-#include "pelagic/shader/types.h"
 #define PELAGIC_AIR_FORMULA inline
 namespace pelagic::shader {
 using namespace glm;
@@ -13,10 +14,8 @@ using namespace glm;
 #endif
 
 PELAGIC_SHADER_CONSTANT float kAirPi = 3.14159265f;
-PELAGIC_SHADER_CONSTANT float kAirRadius = 6371000.0f;  // sea level
 PELAGIC_SHADER_CONSTANT float kAirTop = 100000.0f;      // altitude above which there is no air
 PELAGIC_SHADER_CONSTANT float kAirAlbedo = 0.06f;       // of the ocean below, diffuse
-PELAGIC_SHADER_CONSTANT float kAirSunRadius = 0.004675f;  // angular
 
 // Spectra integrated over the CIE colour matching functions into Rec.709, relative to a 5778 K sun. Molecules: scattering
 // 1.356e-5 (550 nm/l)^4.08 per metre at sea level. Ozone: 300 Dobson units in a tent 30 km wide around 25 km.
@@ -61,22 +60,22 @@ PELAGIC_AIR_FORMULA vec3 mieScattering(vec3 d, float haze) { return kMieExtincti
 
 // Altitude after the distance t along a ray from altitude h: r^2 - R^2 is summed without the cancelling R^2.
 PELAGIC_AIR_FORMULA float altitudeAlong(float h, float mu, float t) {
-  float q = h * (2.0f * kAirRadius + h) + t * (2.0f * (kAirRadius + h) * mu + t);
-  return q / (sqrt(kAirRadius * kAirRadius + q) + kAirRadius);
+  float q = h * (2.0f * kEarthRadius + h) + t * (2.0f * (kEarthRadius + h) * mu + t);
+  return q / (sqrt(kEarthRadius * kEarthRadius + q) + kEarthRadius);
 }
 
 // Distance from altitude h inside the air to its top.
 PELAGIC_AIR_FORMULA float distanceToTop(float h, float mu) {
-  float b = (kAirRadius + h) * mu;
-  float c = (kAirTop - h) * (2.0f * kAirRadius + kAirTop + h);
+  float b = (kEarthRadius + h) * mu;
+  float c = (kAirTop - h) * (2.0f * kEarthRadius + kAirTop + h);
   float root = sqrt(b * b + c);
   return b > 0.0f ? c / (root + b) : root - b;
 }
 
 // Distance to the globe's near surface, negative when the ray misses it.
 PELAGIC_AIR_FORMULA float distanceToGround(float h, float mu) {
-  float b = (kAirRadius + h) * mu;
-  float c = h * (2.0f * kAirRadius + h);
+  float b = (kEarthRadius + h) * mu;
+  float c = h * (2.0f * kEarthRadius + h);
   float discriminant = b * b - c;
   if (mu >= 0.0f || discriminant < 0.0f) return -1.0f;
   return c / (sqrt(discriminant) - b);
@@ -84,14 +83,14 @@ PELAGIC_AIR_FORMULA float distanceToGround(float h, float mu) {
 
 // Cosine of the zenith angle of the globe's edge seen from altitude h.
 PELAGIC_AIR_FORMULA float horizonCosine(float h) {
-  return -sqrt(h * (2.0f * kAirRadius + h)) / (kAirRadius + h);
+  return -sqrt(h * (2.0f * kEarthRadius + h)) / (kEarthRadius + h);
 }
 
 // Optical depth from altitude h to the top of the air by the midpoint rule. Samples crowd as t = t0 + x|x| around the
 // ray's lowest point t0, where the density peaks.
 PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int steps) {
   float end = distanceToTop(h, mu);
-  float lowest = clamp(-(kAirRadius + h) * mu, 0.0f, end);
+  float lowest = clamp(-(kEarthRadius + h) * mu, 0.0f, end);
   float from = -sqrt(lowest);
   float step = (sqrt(end - lowest) - from) / float(steps);
   vec3 depth = vec3(0.0f);
@@ -105,7 +104,7 @@ PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int step
 
 // Share of the sun's disc above a straight edge, `elevation` of its centre above the edge.
 PELAGIC_AIR_FORMULA float sunDiscShare(float elevation) {
-  float x = clamp(elevation / kAirSunRadius, -1.0f, 1.0f);
+  float x = clamp(elevation / kSunAngularRadius, -1.0f, 1.0f);
   return 0.5f + (x * sqrt(1.0f - x * x) + asin(x)) / kAirPi;
 }
 
@@ -118,8 +117,8 @@ PELAGIC_AIR_FORMULA float sunVisibility(float h, float mu) {
 // Transmittance map (Bruneton & Neyret 2008): x how far the top is between its nearest and its farthest, y distance to
 // the horizon. In 0 ... 1; rays below the horizon are held at it.
 PELAGIC_AIR_FORMULA vec2 transmittancePlace(float h, float mu) {
-  float edge = sqrt(h * (2.0f * kAirRadius + h));
-  float edgeOfTop = sqrt(kAirTop * (2.0f * kAirRadius + kAirTop));
+  float edge = sqrt(h * (2.0f * kEarthRadius + h));
+  float edgeOfTop = sqrt(kAirTop * (2.0f * kEarthRadius + kAirTop));
   float nearest = kAirTop - h;
   float farthest = edge + edgeOfTop;
   float d = distanceToTop(h, max(mu, horizonCosine(h)));
@@ -127,12 +126,12 @@ PELAGIC_AIR_FORMULA vec2 transmittancePlace(float h, float mu) {
 }
 // Its inverse: altitude and mu.
 PELAGIC_AIR_FORMULA vec2 transmittanceRay(vec2 place) {
-  float edgeOfTop = sqrt(kAirTop * (2.0f * kAirRadius + kAirTop));
+  float edgeOfTop = sqrt(kAirTop * (2.0f * kEarthRadius + kAirTop));
   float edge = place.y * edgeOfTop;
-  float h = min(edge * edge / (sqrt(kAirRadius * kAirRadius + edge * edge) + kAirRadius), kAirTop);
+  float h = min(edge * edge / (sqrt(kEarthRadius * kEarthRadius + edge * edge) + kEarthRadius), kAirTop);
   float nearest = kAirTop - h;
   float d = nearest + place.x * (edge + edgeOfTop - nearest);
-  float mu = d > 0.0f ? (edgeOfTop * edgeOfTop - edge * edge - d * d) / (2.0f * (kAirRadius + h) * d) : 1.0f;
+  float mu = d > 0.0f ? (edgeOfTop * edgeOfTop - edge * edge - d * d) / (2.0f * (kEarthRadius + h) * d) : 1.0f;
   return vec2(h, clamp(mu, horizonCosine(h), 1.0f));
 }
 

@@ -34,7 +34,7 @@ vec3 radiance(float viewMu, float sunMu, float sunView) {
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;  // dense near the eye
     float h = clamp(altitudeAlong(0.0, viewMu, t), 0.0, kAirTop);
-    float mu = (kAirRadius * sunMu + t * sunView) / (kAirRadius + h);
+    float mu = (kEarthRadius * sunMu + t * sunView) / (kEarthRadius + h);
     vec3 density = airDensity(h);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density, pass.haze);

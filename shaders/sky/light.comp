@@ -13,7 +13,7 @@ const float kCloudTransmittance = 0.3;
 const vec3 kCloudTint = vec3(0.953, 1.003, 1.106);
 const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
 
-const float kSunCosine = 0.99998907;  // of kAirSunRadius; cos() of a device may not resolve it
+const float kSunCosine = 0.99998907;  // of kSunAngularRadius; cos() of a device may not resolve it
 
 layout(local_size_x = kThreads) in;
 layout(push_constant) uniform Push { SkyPass pass; };
@@ -39,7 +39,7 @@ vec3 irradianceOfTexels(uint first) {
 void writeLight(vec3 clearSky) {
   float elevation = pass.sunDirection.w;
   // The middle of what stands above the horizon, so that a setting disc reddens to the end.
-  float middle = 0.5 * (max(elevation - kAirSunRadius, 0.0) + max(elevation + kAirSunRadius, 0.0));
+  float middle = 0.5 * (max(elevation - kSunAngularRadius, 0.0) + max(elevation + kSunAngularRadius, 0.0));
   vec3 sun = exp(-airOpticalDepth(0.0, sin(middle), pass.haze, 64));
   float share = sunDiscShare(elevation);
   vec3 global = clearSky + sun * (share * sin(middle));
@@ -48,7 +48,7 @@ void writeLight(vec3 clearSky) {
   vec3 sunNow = sun * open * (share > 0.0 ? 1.0 : 0.0);
   light.sunDirection = vec4(pass.sunDirection.xyz, kSunCosine);
   light.sunIrradiance = vec4(sunNow * share, 0);
-  light.sunRadiance = vec4(sunNow / (kAirPi * kAirSunRadius * kAirSunRadius), 0);
+  light.sunRadiance = vec4(sunNow / (kAirPi * kSunAngularRadius * kSunAngularRadius), 0);
   light.skyIrradiance = vec4(clearSky * open + cloudy, pass.gain);
   light.rayleighExtinction = vec4(kRayleighScattering, kRayleighHeight);
   light.mieExtinction = vec4(kMieExtinction * pass.haze, kMieHeight);

@@ -36,7 +36,7 @@ void march(float h, vec4 direction, float sunMu, uint slot) {
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;
     float height = clamp(altitudeAlong(h, direction.y, t), 0.0, kAirTop);
-    float mu = ((kAirRadius + h) * sunMu + t * sunView) / (kAirRadius + height);
+    float mu = ((kEarthRadius + h) * sunMu + t * sunView) / (kEarthRadius + height);
     vec3 density = airDensity(height);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 scattered = kRayleighScattering * density.x + mieScattering(density, pass.haze);
@@ -48,7 +48,7 @@ void march(float h, vec4 direction, float sunMu, uint slot) {
     through *= stepThrough;
   }
   if (ground >= 0.0) {
-    float mu = ((kAirRadius + h) * sunMu + ground * sunView) / kAirRadius;
+    float mu = ((kEarthRadius + h) * sunMu + ground * sunView) / kEarthRadius;
     light += through * sunlightAt(transmittance, 0.0, mu) * (max(mu, 0.0) * kAirAlbedo / kAirPi);
   }
   secondOrder[slot] = light * direction.w;

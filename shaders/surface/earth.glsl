@@ -2,7 +2,7 @@
 #ifndef PELAGIC_SURFACE_EARTH_GLSL
 #define PELAGIC_SURFACE_EARTH_GLSL
 
-const float kEarthRadius = 6371000;  // as in pelagic/camera.hpp [m]
+#include "pelagic/shader/constants.h"
 
 // How far the sea level lies below the tangent plane at the squared horizontal distance r2 [m^2], without cancellation.
 float curvatureDrop(float r2) {

@@ -20,8 +20,8 @@ double integral(double low, double high, int steps, const std::function<double(d
 
 /// Altitude along a ray in double precision, from the law of cosines.
 double altitude(double h, double mu, double t) {
-  const double r = air::kAirRadius + h;
-  return std::sqrt(r * r + 2 * r * mu * t + t * t) - air::kAirRadius;
+  const double r = air::kEarthRadius + h;
+  return std::sqrt(r * r + 2 * r * mu * t + t * t) - air::kEarthRadius;
 }
 
 /// Optical depth in double precision with its own densities and bounds; channel 0 to 2.
@@ -88,15 +88,15 @@ TEST(Atmosphere, SlantOpticalDepthEqualsQuadrature) {
 TEST(Atmosphere, RaysMeetTheGlobeWhereTheCosineLawSays) {
   for (const double h : {0.5, 3.0, 200.0, 50000.0}) {
     for (const double below : {0.002, 0.05, 0.5, 1.5}) {
-      const double r = air::kAirRadius + h;
-      const double mu = -std::sin(std::acos(air::kAirRadius / r) + below);
+      const double r = air::kEarthRadius + h;
+      const double mu = -std::sin(std::acos(air::kEarthRadius / r) + below);
       const long double b = (long double)r * mu;
-      const long double c = (long double)h * (2.0L * air::kAirRadius + h);
+      const long double c = (long double)h * (2.0L * air::kEarthRadius + h);
       const double expected = double(c / (std::sqrt(b * b - c) - b));
       EXPECT_NEAR(air::distanceToGround(float(h), float(mu)), expected, 2e-4 * expected) << h << ' ' << below;
     }
     const double edge = air::horizonCosine(float(h));
-    EXPECT_NEAR(std::asin(-edge), std::acos(air::kAirRadius / (air::kAirRadius + h)), 1e-6);
+    EXPECT_NEAR(std::asin(-edge), std::acos(air::kEarthRadius / (air::kEarthRadius + h)), 1e-6);
     EXPECT_LT(air::distanceToGround(float(h), float(edge + 1e-4)), 0);
   }
   EXPECT_LT(air::distanceToGround(10, 0.5f), 0);
@@ -155,7 +155,7 @@ TEST(Atmosphere, OvercastSkyGivesSevenNinthsPi) {
 }
 
 TEST(Atmosphere, DiscShareIsTheAreaAboveTheEdge) {
-  const double radius = air::kAirSunRadius;
+  const double radius = air::kSunAngularRadius;
   for (const double x : {-1.0, -0.6, 0.0, 0.3, 1.0}) {  // centre above the edge, in radii
     const double area = integral(-x, 1, 20000, [](double y) { return 2 * std::sqrt(std::max(0.0, 1 - y * y)); });
     EXPECT_NEAR(air::sunDiscShare(float(x * radius)), area / kPi, 1e-4) << x;
