@@ -38,7 +38,7 @@ struct SkyMaps {
   /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
   /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.
   MapView environment;
-  /// The SkyLight block of shaders/shared/sky_light.h, a storage buffer; resting state: shader reads.
+  /// The SkyLight block of shaders/shared/sky_light.h, a storage or uniform buffer; resting state: shader reads.
   VkBuffer light = VK_NULL_HANDLE;
   VkDeviceSize lightSize = 0;
 };

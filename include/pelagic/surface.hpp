@@ -8,7 +8,9 @@ namespace pelagic {
 
 struct SurfaceInfo {
   /// Target length of a triangle's edge on screen [px], 2 … 64.
-  float targetEdge = 8;
+  float targetEdge = 12;
+  /// Whether views leave WaterBuffer::motion, for temporal filters of the host.
+  bool motionVectors = false;
 };
 
 /// What the surface leaves for shading: 2-D, one layer, one mip, of the view's extent; rests in kShaderRead.
@@ -16,7 +18,7 @@ struct WaterBuffer {
   /// rg32f: undisplaced (x,z) of the visible point minus the camera's (x,z) [m]. Where body is 0: undefined.
   MapView position;
   /// rg16f: screen motion since the previous record() of this view [uv], current minus previous position. 0 in the
-  /// first frame. Where body is 0: undefined.
+  /// first frame. Where body is 0: undefined. Null without SurfaceInfo::motionVectors.
   MapView motion;
   /// r8ui: 0 no water, 1 the ocean.
   MapView body;

@@ -19,7 +19,7 @@ using vk::DescriptorType;
 /// As in shaders/composite/bindings.glsl and tiles.glsl.
 constexpr gpu::Binding kBindings[] = {
     {0, DescriptorType::eUniformBuffer},         {1, DescriptorType::eStorageBuffer},
-    {2, DescriptorType::eStorageBuffer},         {3, DescriptorType::eCombinedImageSampler},
+    {2, DescriptorType::eUniformBuffer},         {3, DescriptorType::eCombinedImageSampler},
     {4, DescriptorType::eCombinedImageSampler},  {5, DescriptorType::eCombinedImageSampler},
     {6, DescriptorType::eCombinedImageSampler},  {7, DescriptorType::eCombinedImageSampler},
     {8, DescriptorType::eCombinedImageSampler},  {9, DescriptorType::eCombinedImageSampler},

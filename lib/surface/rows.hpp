@@ -36,7 +36,7 @@ struct RowDensity {
 };
 
 /// Longest cell relative to its width where waves are large.
-inline constexpr double kAspect = 6;
+inline constexpr double kAspect = 4;
 /// But at most this many rows more than a flat sea needs: no use in rows closer than a pixel.
 inline constexpr double kFlatter = 8;
 

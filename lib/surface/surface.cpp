@@ -1,10 +1,12 @@
 #include <surface/surface_frame.h>
 #include <cstring>
 #include <surface/surface_impl.hpp>
+#include <surface_frag.spv.hpp>
+#include <surface_motion_frag.spv.hpp>
+#include <surface_motion_vert.spv.hpp>
 #include <surface_select_blocks_comp.spv.hpp>
-#include <surface_surface_frag.spv.hpp>
-#include <surface_surface_vert.spv.hpp>
 #include <surface_tessellate_comp.spv.hpp>
+#include <surface_vert.spv.hpp>
 
 namespace pelagic {
 namespace surface {
@@ -31,7 +33,7 @@ Result<gpu::Buffer> createIndices(gpu::Context& context) {
   return buffer;
 }
 
-Result<gpu::ComputePass> createTessellate(gpu::Context& context) {
+Result<gpu::ComputePass> createTessellate(gpu::Context& context, bool motion) {
   using Type = vk::DescriptorType;
   const gpu::Binding bindings[] = {{tFrame, Type::eStorageBuffer},
                                    {tRows, Type::eStorageBuffer},
@@ -39,10 +41,12 @@ Result<gpu::ComputePass> createTessellate(gpu::Context& context) {
                                    {tPrevious, Type::eCombinedImageSampler},
                                    {tVertices, Type::eStorageBuffer},
                                    {tFlags, Type::eStorageBuffer}};
+  const std::uint32_t constants[] = {motion};
   gpu::ComputePassInfo info;
   info.name = "surface tessellate";
   info.code = shaders::surface_tessellate_comp;
   info.bindings = bindings;
+  info.constants = constants;
   return gpu::ComputePass::create(context, info);
 }
 
@@ -69,9 +73,12 @@ Result<gpu::Unique<vk::PipelineLayout>> createDrawLayout(gpu::Context& context, 
 }
 
 /// Both faces are drawn: which way the host's y points is not known, and the sea has an underside.
-Result<gpu::Unique<vk::Pipeline>> createDraw(gpu::Context& context, vk::PipelineLayout layout, bool reversedDepth) {
-  PELAGIC_TRY(vertex, gpu::createShader(context, "surface vertex", shaders::surface_surface_vert));
-  PELAGIC_TRY(fragment, gpu::createShader(context, "surface fragment", shaders::surface_surface_frag));
+Result<gpu::Unique<vk::Pipeline>> createDraw(gpu::Context& context, vk::PipelineLayout layout, bool motion,
+                                             bool reversedDepth) {
+  PELAGIC_TRY(vertex, gpu::createShader(context, "surface vertex",
+                                        motion ? shaders::surface_motion_vert : shaders::surface_vert));
+  PELAGIC_TRY(fragment, gpu::createShader(context, "surface fragment",
+                                          motion ? shaders::surface_motion_frag : shaders::surface_frag));
   using ShaderStage = vk::ShaderStageFlagBits;
   const std::array<vk::PipelineShaderStageCreateInfo, 2> stages{
       {{{}, ShaderStage::eVertex, *vertex, "main"}, {{}, ShaderStage::eFragment, *fragment, "main"}}};
@@ -90,11 +97,12 @@ Result<gpu::Unique<vk::Pipeline>> createDraw(gpu::Context& context, vk::Pipeline
   using Channel = vk::ColorComponentFlagBits;
   std::array<vk::PipelineColorBlendAttachmentState, 3> blends;
   for (auto& state : blends) state.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
-  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, blends);
+  const std::uint32_t attachments = motion ? 3 : 2;
+  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, attachments, blends.data());
   const std::array<vk::DynamicState, 2> dynamicStates{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
   const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamicStates);
-  const std::array<vk::Format, 3> formats{kPositionFormat, kMotionFormat, kBodyFormat};
-  const vk::PipelineRenderingCreateInfo rendering(0, formats, kDepthFormat);
+  const std::array<vk::Format, 3> formats{kPositionFormat, kBodyFormat, kMotionFormat};
+  const vk::PipelineRenderingCreateInfo rendering(0, attachments, formats.data(), kDepthFormat);
   const vk::GraphicsPipelineCreateInfo info({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples,
                                             &depth, &blend, &dynamic, layout, nullptr, 0, nullptr, -1, &rendering);
   auto pipeline =
@@ -120,14 +128,14 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
   gpu::Context& context = device.context();
   auto impl = std::make_unique<Impl>();
   impl->context = &context;
-  impl->targetEdge = info.targetEdge;
+  impl->info = info;
   PELAGIC_TRY(sampler, gpu::createSampler(context, "surface displacement", {}));
   impl->sampler = std::move(sampler);
-  PELAGIC_TRY(tessellate, surface::createTessellate(context));
+  PELAGIC_TRY(tessellate, surface::createTessellate(context, info.motionVectors));
   impl->tessellate = std::move(tessellate);
   PELAGIC_TRY(select, surface::createSelect(context));
   impl->select = std::move(select);
-  const gpu::Binding bindings[] = {{surface::dFrame, vk::DescriptorType::eStorageBuffer},
+  const gpu::Binding bindings[] = {{surface::dFrame, vk::DescriptorType::eUniformBuffer},
                                    {surface::dVertices, vk::DescriptorType::eStorageBuffer},
                                    {surface::dVisible, vk::DescriptorType::eStorageBuffer}};
   PELAGIC_TRY(descriptors,
@@ -137,7 +145,7 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
   PELAGIC_TRY(layout, surface::createDrawLayout(context, impl->drawDescriptors.handle()));
   impl->drawLayout = std::move(layout);
   for (const bool reversed : {false, true}) {
-    PELAGIC_TRY(draw, surface::createDraw(context, *impl->drawLayout, reversed));
+    PELAGIC_TRY(draw, surface::createDraw(context, *impl->drawLayout, info.motionVectors, reversed));
     impl->draw[reversed] = std::move(draw);
   }
   PELAGIC_TRY(indices, surface::createIndices(context));

@@ -8,7 +8,7 @@ namespace pelagic {
 
 struct Surface::Impl {
   gpu::Context* context = nullptr;
-  float targetEdge = 0;
+  SurfaceInfo info;
   gpu::Unique<vk::Sampler> sampler;
   gpu::ComputePass tessellate;
   gpu::ComputePass select;

@@ -25,7 +25,7 @@ constexpr gpu::BufferState kVertexRead{vk::PipelineStageFlagBits2::eVertexShader
 constexpr gpu::BufferState kFrameRead{vk::PipelineStageFlagBits2::eComputeShader |
                                           vk::PipelineStageFlagBits2::eVertexShader |
                                           vk::PipelineStageFlagBits2::eFragmentShader,
-                                      vk::AccessFlagBits2::eShaderStorageRead};
+                                      vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 
 /// Room for several times the blocks that cover the picture: water that may be displaced into it, pictures that lie
 /// diagonally in the grid, rows closer than asked for where waves are large.
@@ -88,6 +88,7 @@ Result<void> SurfaceView::Impl::createImages() {
                             {&body, surface::kBodyFormat, Usage::eColorAttachment, "water body"},
                             {&depth, surface::kDepthFormat, Usage::eDepthStencilAttachment, "water depth"}};
   for (const Target& target : targets) {
+    if (target.image == &motion && !surface->info.motionVectors) continue;
     gpu::ImageInfo info;
     info.format = target.format;
     info.extent = extent;
@@ -108,7 +109,8 @@ Result<void> SurfaceView::Impl::createBuffers() {
   };
   const vk::DeviceSize vertexBytes = vk::DeviceSize(limits.blocks) * shader::kBlockVertices * 2 * sizeof(glm::vec4);
   const Part parts[] = {
-      {&frameBuffer, "surface frame", sizeof(shader::SurfaceFrame), Usage::eStorageBuffer | Usage::eTransferDst},
+      {&frameBuffer, "surface frame", sizeof(shader::SurfaceFrame),
+       Usage::eUniformBuffer | Usage::eStorageBuffer | Usage::eTransferDst},
       {&rowBuffer, "surface rows", limits.rows * sizeof(glm::vec2), Usage::eStorageBuffer | Usage::eTransferDst},
       {&vertices, "surface vertices", vertexBytes, Usage::eStorageBuffer},
       {&flags, "surface block flags", limits.blocks * sizeof(std::uint32_t), Usage::eStorageBuffer},
@@ -164,7 +166,7 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
 surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& camera) noexcept {
   const surface::Relief relief = surface::reliefOf(maps);
   const auto grid =
-      surface::projectGrid(camera, extent, static_cast<double>(surface->targetEdge), relief, limits, rows);
+      surface::projectGrid(camera, extent, static_cast<double>(surface->info.targetEdge), relief, limits, rows);
   const glm::mat4 clip = camera.projection * glm::mat4(camera.rotation);
   const glm::dvec3 moved = hasPrevious ? camera.position - previousPosition : glm::dvec3(0);
   frame.previousClip = hasPrevious ? frame.clip : clip;
@@ -222,15 +224,15 @@ void SurfaceView::Impl::tessellate(vk::CommandBuffer commands, const WaveMaps& m
 
 void SurfaceView::Impl::draw(vk::CommandBuffer commands, bool reversedDepth) noexcept {
   const auto& dispatch = surface->context->dispatch;
-  gpu::Barrier()
-      .buffer(vertices, surface::kVertexRead)
+  gpu::Barrier before, after;
+  before.buffer(vertices, surface::kVertexRead)
       .buffer(visible, surface::kVertexRead)
       .buffer(arguments, gpu::kIndirectRead)
       .image(position, surface::kColorWrite, true)
-      .image(motion, surface::kColorWrite, true)
       .image(body, surface::kColorWrite, true)
-      .image(depth, surface::kDepthWrite, true)
-      .record(*surface->context, commands);
+      .image(depth, surface::kDepthWrite, true);
+  if (surface->info.motionVectors) before.image(motion, surface::kColorWrite, true);
+  before.record(*surface->context, commands);
 
   const auto attachment = [](const gpu::Image& image, vk::AttachmentLoadOp load, const vk::ClearValue& clear) {
     const bool isDepth = image.info().format == surface::kDepthFormat;
@@ -238,14 +240,16 @@ void SurfaceView::Impl::draw(vk::CommandBuffer commands, bool reversedDepth) noe
         image.view(), isDepth ? vk::ImageLayout::eDepthAttachmentOptimal : vk::ImageLayout::eColorAttachmentOptimal, {},
         {}, {}, load, vk::AttachmentStoreOp::eStore, clear);
   };
-  const std::array<vk::RenderingAttachmentInfo, 3> colors{
+  std::array<vk::RenderingAttachmentInfo, 3> colors{
       attachment(position, vk::AttachmentLoadOp::eDontCare, {}),
-      attachment(motion, vk::AttachmentLoadOp::eDontCare, {}),
       attachment(body, vk::AttachmentLoadOp::eClear, vk::ClearColorValue(std::array<std::uint32_t, 4>{0, 0, 0, 0}))};
+  if (surface->info.motionVectors) colors[2] = attachment(motion, vk::AttachmentLoadOp::eDontCare, {});
   const auto depthAttachment =
       attachment(depth, vk::AttachmentLoadOp::eClear, vk::ClearDepthStencilValue(reversedDepth ? 0.0f : 1.0f, 0));
   const vk::Rect2D area({}, extent);
-  commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colors, &depthAttachment), dispatch);
+  commands.beginRendering(
+      vk::RenderingInfo({}, area, 1, 0, surface->info.motionVectors ? 3 : 2, colors.data(), &depthAttachment),
+      dispatch);
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *surface->draw[reversedDepth], dispatch);
   const vk::Viewport viewport(0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1);
   commands.setViewport(0, 1, &viewport, dispatch);
@@ -256,12 +260,9 @@ void SurfaceView::Impl::draw(vk::CommandBuffer commands, bool reversedDepth) noe
   commands.drawIndexedIndirect(arguments.handle(), 0, 1, sizeof(VkDrawIndexedIndirectCommand), dispatch);
   commands.endRendering(dispatch);
 
-  gpu::Barrier()
-      .image(position, kShaderRead)
-      .image(motion, kShaderRead)
-      .image(body, kShaderRead)
-      .image(depth, kShaderRead)
-      .record(*surface->context, commands);
+  after.image(position, kShaderRead).image(body, kShaderRead).image(depth, kShaderRead);
+  if (surface->info.motionVectors) after.image(motion, kShaderRead);
+  after.record(*surface->context, commands);
 }
 
 SurfaceView::SurfaceView(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
@@ -278,7 +279,7 @@ Result<SurfaceView> SurfaceView::create(Surface& surface, const WaveMaps& maps, 
   auto impl = std::make_unique<Impl>();
   impl->surface = surface.impl_.get();
   impl->extent = extent;
-  impl->limits = surface::limitsOf(extent, surface.impl_->targetEdge);
+  impl->limits = surface::limitsOf(extent, surface.impl_->info.targetEdge);
   PELAGIC_CHECK(impl->createImages());
   PELAGIC_CHECK(impl->createBuffers());
   PELAGIC_CHECK(impl->createSets(maps));
@@ -299,7 +300,8 @@ void SurfaceView::record(VkCommandBuffer commands, const WaveMaps& maps, const C
 }
 
 WaterBuffer SurfaceView::buffer() const noexcept {
-  return {impl_->position.map(), impl_->motion.map(), impl_->body.map(), impl_->depth.map()};
+  return {impl_->position.map(), impl_->surface->info.motionVectors ? impl_->motion.map() : MapView{},
+          impl_->body.map(), impl_->depth.map()};
 }
 
 VkBuffer SurfaceView::drawArguments() const noexcept { return impl_->arguments.handle(); }

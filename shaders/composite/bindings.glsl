@@ -10,7 +10,7 @@ layout(constant_id = 2) const bool kHasSlopeVariance = false;
 layout(constant_id = 3) const bool kHasMergedDepth = false;
 
 layout(binding = 0, std140) uniform Frame { CompositeFrame frame; };
-layout(binding = 2, std430) readonly buffer Light { SkyLight light; };
+layout(binding = 2, std140) uniform Light { SkyLight light; };
 layout(binding = 3) uniform sampler2DArray gradientMap;
 layout(binding = 4) uniform sampler2DArray momentsMap;
 layout(binding = 5) uniform sampler2DArray foamMap;

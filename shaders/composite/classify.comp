@@ -3,7 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
 #include "composite/footprint.glsl"
-#include "physics/optics.glsl"
 
 // A tile an invocation: the work for a tile is small, and so no invocation waits for others.
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -59,22 +58,8 @@ uint foamingCascades(Water water, float view) {
   return mask;
 }
 
-// What is the same for all water, once a frame.
-void writeFrameLight() {
-  vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(light.sunIrradiance.rgb, light.sunDirection.y,
-                                                          light.skyIrradiance.rgb);
-  float height = max(frame.absorption.w, 0.0);
-  vec3 air = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
-             light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
-  for (uint i = 0u; i < 3u; ++i) {
-    tileWords[kWaterRadianceWord + i] = floatBitsToUint(under[i]);
-    tileWords[kAirExtinctionWord + i] = floatBitsToUint(air[i]);
-  }
-}
-
 void main() {
   uvec2 tile = gl_GlobalInvocationID.xy;
-  if (tile == uvec2(0)) writeFrameLight();
   if (tile.x * kTileSize >= frame.width || tile.y * kTileSize >= frame.height) return;
   Water water = nearestWater(tile * kTileSize);
   float view = steepestView(tile);

@@ -4,6 +4,9 @@
 #include "composite/footprint.glsl"
 #include "pelagic/shader/wave_lookup.glsl"
 
+// One pipeline for tiles with foam, one without.
+layout(constant_id = 4) const bool kFoaming = false;
+
 struct SeaPoint {
   vec2 slope;        // mean, of the displaced surface
   vec3 normal;       // of that slope, level frame
@@ -17,13 +20,15 @@ struct SeaPoint {
 const float kFoamGrain = 2.0;
 
 // `p`: undisplaced place relative to the eye [m], seen with the footprint `side` [m]. Only the first `cascades` are sampled,
-// of the others the variance counts; foam only from the cascades in the bit mask `foaming`.
+// of the others the variance counts; foam only from the cascades in the bit mask `foaming`, which is not 0 where kFoaming.
+// Loops test at their end: software devices run a body that a loop's head has masked out.
 SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
   float foamFree = 1.0;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
-  for (uint c = 0u; c < cascades; ++c) {
+  uint c = 0u;
+  do {
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), side);
     vec3 place = vec3(waveUv(placement, p), float(c));
@@ -33,13 +38,16 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
     float kept = clamp(endLod - lod, 0.0, 1.0);
     gradient += kept * g;
     moments += vec4(mix(frame.waves.slopeCovariance[c].xyz, m.xyz, kept), kept * m.w);
-  }
-  for (uint c = cascades; c < frame.waves.cascades; ++c) moments.xyz += frame.waves.slopeCovariance[c].xyz;
-  for (uint left = foaming; left != 0u; left &= left - 1u) {
-    uint c = uint(findLSB(left));
-    vec4 placement = frame.waves.placement[c];
-    float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
-    foamFree *= 1.0 - textureLod(foamMap, vec3(waveUv(placement, p), float(c)), lod).r;
+  } while (++c < cascades);
+  for (; c < frame.waves.cascades; ++c) moments.xyz += frame.waves.slopeCovariance[c].xyz;
+  if (kFoaming) {
+    do {
+      uint foamy = uint(findLSB(foaming));
+      vec4 placement = frame.waves.placement[foamy];
+      float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
+      foamFree *= 1.0 - textureLod(foamMap, vec3(waveUv(placement, p), float(foamy)), lod).r;
+      foaming &= foaming - 1u;
+    } while (foaming != 0u);
   }
 
   SeaPoint sea;

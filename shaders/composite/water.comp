@@ -9,13 +9,11 @@
 #include "composite/sea_light.glsl"
 #include "composite/foam.glsl"
 
-// One pipeline for tiles with foam, one without.
-layout(constant_id = 4) const bool kFoaming = false;
-
 // Transmittance of the air between the eye and the water `distance` [m] away.
 vec3 airTransmittance(float distance) {
-  vec3 extinction = uintBitsToFloat(uvec3(tileWords[kAirExtinctionWord], tileWords[kAirExtinctionWord + 1u],
-                                          tileWords[kAirExtinctionWord + 2u]));
+  float height = max(frame.absorption.w, 0.0);
+  vec3 extinction = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
+                    light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
   return exp(-extinction * distance);
 }
 
@@ -57,7 +55,7 @@ void main() {
     float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
     float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
     float side = footprintSide(across, across / max(along, across));
-    SeaPoint sea = seaPoint(p, side, tile.cascades, kFoaming ? tile.foaming : 0u);
+    SeaPoint sea = seaPoint(p, side, tile.cascades, tile.foaming);
     radiance = seaRadiance(sea, v, l, beyond);
     normal.xyz = sea.normal;
     if (kFoaming) {

@@ -14,12 +14,8 @@ PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // no water seen: sky, or the ho
 PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
 PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
 PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;
-// Where the tile buffer holds what is the same for all water, as the bits of floats: radiance from below the surface
-// per 1 - F, and extinction of the air between the eye and the sea [1/m].
-PELAGIC_SHADER_CONSTANT uint kWaterRadianceWord = 16u;
-PELAGIC_SHADER_CONSTANT uint kAirExtinctionWord = 20u;
 // 32-bit words before the first list, whose entries have two.
-PELAGIC_SHADER_CONSTANT uint kTileListStart = 64u;
+PELAGIC_SHADER_CONSTANT uint kTileListStart = 16u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 

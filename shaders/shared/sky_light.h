@@ -1,4 +1,4 @@
-// The light of the sky as numbers: written by the sky stage, read by whoever shades. A storage buffer.
+// The light of the sky as numbers: written by the sky stage, read by whoever shades, as a storage or a uniform block.
 #ifndef PELAGIC_SKY_LIGHT_H
 #define PELAGIC_SKY_LIGHT_H
 #include "pelagic/shader/types.h"

@@ -1,5 +1,6 @@
-// What one frame of one view of the sea's surface is, and the grid's fixed sizes. A storage, not a uniform block:
-// Mesa's software device compiles a shader anew for every value of a uniform on which its control flow depends.
+// What one frame of one view of the sea's surface is, and the grid's fixed sizes. A uniform block for the draw, a
+// storage block for compute: Mesa's software device reads uniforms faster, but compiles a shader anew for every value
+// of a uniform on which its control flow depends.
 #ifndef PELAGIC_SURFACE_FRAME_H
 #define PELAGIC_SURFACE_FRAME_H
 #include "pelagic/shader/types.h"

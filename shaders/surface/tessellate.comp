@@ -7,12 +7,13 @@
 #include "surface/earth.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
+layout(constant_id = 0) const bool kMotion = false;
 
 layout(set = 0, binding = 0, std430) readonly buffer Frame { SurfaceFrame frame; };
 layout(set = 0, binding = 1, std430) readonly buffer Rows { vec2 rows[]; };
 layout(set = 0, binding = 2) uniform sampler2DArray displacement;
 layout(set = 0, binding = 3) uniform sampler2DArray previousDisplacement;
-// Two per vertex: relative position, previous clip x | undisplaced (x,z), previous clip y and w.
+// Two per vertex: relative position, previous clip x | undisplaced (x,z), previous clip y and w; 0 without kMotion.
 layout(set = 0, binding = 4, std430) writeonly buffer Vertices { vec4 vertices[]; };
 // Of every block: 1 when it is in the picture.
 layout(set = 0, binding = 5, std430) writeonly buffer Flags { uint flags[]; };
@@ -23,12 +24,13 @@ shared uint outside;  // bits of what every vertex of the block lies outside of
 // left to shading.
 vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
   vec3 sum = vec3(0);
-  for (uint c = 0; c < frame.waves.cascades; ++c) {
+  uint c = 0;
+  do {  // there is at least one, and software devices run a body that a loop's head has masked out
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), footprint);
     // The last mip is the patch's mean, which is zero.
     if (lod < frame.waves.maxLod) sum += textureLod(map, vec3(waveUv(placement, p), float(c)), lod).xyz;
-  }
+  } while (++c < frame.waves.cascades);
   return sum;
 }
 
@@ -43,6 +45,13 @@ float cellLength(uint j, float lateral) {
 uint outcode(vec4 clip, bool drawnIn) {
   bvec4 beyond = lessThan(vec4(clip.w) + vec4(clip.x, -clip.x, clip.y, -clip.y), vec4(-1e-4 * abs(clip.w)));
   return uint(beyond.x) | uint(beyond.y) << 1 | uint(beyond.z) << 2 | uint(beyond.w) << 3 | uint(drawnIn) << 4;
+}
+
+vec4 previousClip(vec2 ground, float footprint) {
+  vec2 previousGround = ground + frame.previousOffset.xz;
+  float level = -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w;
+  vec3 before = vec3(previousGround.x, level, previousGround.y) + displaced(previousDisplacement, ground, footprint);
+  return frame.previousClip * vec4(before, 1);
 }
 
 void main() {
@@ -65,11 +74,7 @@ void main() {
   uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (gl_LocalInvocationIndex == 0) flags[block] = uint(outside == 0);
   if (outside == 0) {
-    vec2 previousGround = ground + frame.previousOffset.xz;
-    float previousLevel = -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w;
-    vec3 before = vec3(previousGround.x, previousLevel, previousGround.y) +
-                  displaced(previousDisplacement, ground, footprint);
-    vec4 previous = frame.previousClip * vec4(before, 1);
+    vec4 previous = kMotion ? previousClip(ground, footprint) : vec4(0);
     uint base = 2 * (block * kBlockVertices + gl_LocalInvocationIndex);
     vertices[base] = vec4(position, previous.x);
     vertices[base + 1] = vec4(ground, previous.yw);

@@ -155,7 +155,7 @@ void SyntheticScene::upload() {
     }
   });
   lightBuffer_.reset();
-  HostBuffer buffer = hostBuffer(*gpu_, &light, sizeof(light), vk::BufferUsageFlagBits::eStorageBuffer);
+  HostBuffer buffer = hostBuffer(*gpu_, &light, sizeof(light), vk::BufferUsageFlagBits::eUniformBuffer);
   lightBuffer_ = std::move(buffer.buffer);
   lightMemory_ = std::move(buffer.memory);
 }

@@ -47,7 +47,7 @@ class SurfaceTest : public support::GpuTest {
   }
   void makeSea(const Wave& now, const Wave& before) { sea_.emplace(gpu(), now, before); }
   void makeView(VkExtent2D extent, float targetEdge) {
-    auto surface = pelagic::Surface::create(device(), {targetEdge});
+    auto surface = pelagic::Surface::create(device(), {targetEdge, true});
     ASSERT_TRUE(surface) << surface.error().message;
     surface_.emplace(std::move(*surface));
     auto view = pelagic::SurfaceView::create(*surface_, sea_->maps(), extent);
