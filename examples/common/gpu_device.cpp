@@ -225,8 +225,14 @@ pelagic::HostImage OwnedImage::host(const pelagic::ImageState& before, const pel
   return {*image, *view, static_cast<VkFormat>(format), extent, before, after};
 }
 
+void GpuDevice::setName(vk::Image image, const std::string& name) const {
+  if (!messenger_) return;  // VK_EXT_debug_utils is enabled with validation only
+  const auto handle = reinterpret_cast<std::uint64_t>(static_cast<VkImage>(image));
+  device_->setDebugUtilsObjectNameEXT({vk::ObjectType::eImage, handle, name.c_str()}, *dispatch_);
+}
+
 OwnedImage createImage(const GpuDevice& gpu, vk::Format format, vk::Extent2D extent, vk::ImageUsageFlags usage,
-                       std::string_view) {
+                       const std::string& name) {
   OwnedImage result;
   result.format = format;
   result.extent = extent;
@@ -239,6 +245,7 @@ OwnedImage createImage(const GpuDevice& gpu, vk::Format format, vk::Extent2D ext
                                                  vk::SampleCountFlagBits::e1,
                                                  vk::ImageTiling::eOptimal,
                                                  usage});
+  gpu.setName(*result.image, name);
   const auto needs = gpu.device().getImageMemoryRequirements(*result.image);
   const std::uint32_t type = memoryType(gpu, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
   const auto properties = gpu.physicalDevice().getMemoryProperties();

@@ -44,6 +44,8 @@ class GpuDevice {
   /// Outlives the device, so that messages of its destruction are found too.
   std::shared_ptr<const ValidationLog> log() const { return log_; }
 
+  /// What validation messages call an image.
+  void setName(vk::Image image, const std::string& name) const;
   /// Records with `record`, submits and waits.
   void run(const std::function<void(vk::CommandBuffer)>& record) const;
 
@@ -71,7 +73,7 @@ struct OwnedImage {
   pelagic::HostImage host(const pelagic::ImageState& before, const pelagic::ImageState& after) const;
 };
 OwnedImage createImage(const GpuDevice& gpu, vk::Format format, vk::Extent2D extent, vk::ImageUsageFlags usage,
-                       std::string_view name);
+                       const std::string& name);
 
 /// Bytes of one mip and layer, tightly packed. The image must be in `state`; it is left in the same.
 std::vector<std::byte> readImage(const GpuDevice& gpu, vk::Image image, vk::Format format, vk::Extent2D extent,

@@ -38,7 +38,8 @@ struct SkyMaps {
   /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
   /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.
   MapView environment;
-  /// The SkyLight block of shaders/shared/sky_light.h, a storage or uniform buffer; resting state: shader reads.
+  /// The SkyLight block of pelagic/shader/sky_light.h, with STORAGE_BUFFER and UNIFORM_BUFFER usage; CompositeView
+  /// binds it as a uniform block. Resting state: shader reads.
   VkBuffer light = VK_NULL_HANDLE;
   VkDeviceSize lightSize = 0;
 };

@@ -7,7 +7,7 @@
 namespace pelagic {
 
 struct SurfaceInfo {
-  /// Target length of a triangle's edge on screen [px], 2 … 64.
+  /// Target length of a triangle's edge on screen [px], 2 … 64. Views of very high waves may get larger ones.
   float targetEdge = 12;
   /// Whether views leave WaterBuffer::motion, for temporal filters of the host.
   bool motionVectors = false;

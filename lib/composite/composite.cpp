@@ -1,3 +1,4 @@
+#include <pelagic/shader/sky_light.h>
 #include <array>
 #include <composite/frame.hpp>
 #include <composite/fresnel_table.hpp>
@@ -158,6 +159,10 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
 Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
                                             const WaterBuffer& water, const CompositeTargets& targets) {
   PELAGIC_CHECK(validate(targets, water));
+  if (sky.light == VK_NULL_HANDLE || sky.lightSize < sizeof(shader::SkyLight)) {
+    return gpu::reject("SkyMaps::light has " + std::to_string(sky.light ? sky.lightSize : 0) +
+                       " bytes, it must have at least " + std::to_string(sizeof(shader::SkyLight)));
+  }
   Composite::Impl& shared = *composite.impl_;
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;

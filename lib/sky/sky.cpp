@@ -4,7 +4,7 @@
 #include <numbers>
 #include <pelagic/sky.hpp>
 
-#include "shared/sky_light.h"
+#include "pelagic/shader/sky_light.h"
 #include "shared/sky_pass.h"
 #include "sky_clear_comp.spv.hpp"
 #include "sky_environment_comp.spv.hpp"

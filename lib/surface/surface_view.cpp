@@ -27,15 +27,15 @@ constexpr gpu::BufferState kFrameRead{vk::PipelineStageFlagBits2::eComputeShader
                                           vk::PipelineStageFlagBits2::eFragmentShader,
                                       vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 
-/// Room for several times the blocks that cover the picture: water that may be displaced into it, pictures that lie
-/// diagonally in the grid, rows closer than asked for where waves are large.
+/// Room for many times the blocks that cover the picture: water that may be displaced into it, pictures that lie
+/// diagonally in the grid, rows closer than asked for where waves are large. A grid that needs more has larger cells.
 GridLimits limitsOf(VkExtent2D extent, float targetEdge) {
   const double block = static_cast<double>(targetEdge) * shader::kBlockCells;
   const double across = std::ceil(extent.width / block) + 2;
   const double down = std::ceil(extent.height / block) + 2;
   GridLimits limits;
-  limits.blocks = static_cast<std::uint32_t>(6 * across * down);
-  limits.rows = static_cast<std::uint32_t>((6 * std::max(across, down) + 16) * shader::kBlockCells) + 1;
+  limits.blocks = static_cast<std::uint32_t>(10 * across * down);
+  limits.rows = static_cast<std::uint32_t>((10 * std::max(across, down) + 16) * shader::kBlockCells) + 1;
   return limits;
 }
 

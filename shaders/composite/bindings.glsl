@@ -2,7 +2,7 @@
 #ifndef PELAGIC_COMPOSITE_BINDINGS_GLSL
 #define PELAGIC_COMPOSITE_BINDINGS_GLSL
 #include "shared/composite.h"
-#include "shared/sky_light.h"
+#include "pelagic/shader/sky_light.h"
 
 layout(constant_id = 0) const bool kHasHost = false;
 layout(constant_id = 1) const bool kHasNormal = false;

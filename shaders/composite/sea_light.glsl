@@ -14,38 +14,18 @@ float meanFresnel(float cosView, float deviation) {
              mix(fresnelTable[i + kFresnelTableWidth], fresnelTable[i + kFresnelTableWidth + 1], f.x), f.y);
 }
 
-// The direction in which a facet of the slope s shows v, as a place in the environment map: the mirrored ray is
-// r = 2 q m / M - v with m = (-s.x, 1, -s.y), q = m.v and M = m.m, so that its stereographic place r.xz / (1 + r.y) and
-// the derivatives are ratios of polynomials.
-struct Mirrored {
-  vec2 place;
-  vec2 alongX;      // d place / d s.x
-  vec2 alongZ;      // d place / d s.y
-  float elevation;  // r.y
-};
-
-Mirrored mirrored(vec3 v, vec2 s) {
-  float q = v.y - dot(v.xz, s);
-  float m = 1.0 + dot(s, s);
-  float b = max(2.0 * q + m * (1.0 - v.y), 0.05 * m);
-  vec2 u = (-2.0 * q * s - m * v.xz) / b;
-  float scale = 0.5 * kEnvironmentScale;
-  Mirrored result;
-  // Below the horizon, the horizon.
-  result.place = 0.5 + scale * u * min(1.0, inversesqrt(max(dot(u, u), 1e-8)));
-  vec2 slant = s * (1.0 - v.y) - v.xz;  // half of db / ds
-  float factor = 2.0 * scale / b;
-  result.alongX = factor * (v.x * s - s.x * v.xz - vec2(q, 0) - slant.x * u);
-  result.alongZ = factor * (v.z * s - s.y * v.xz - vec2(0, q) - slant.y * u);
-  result.elevation = 2.0 * q / m - v.y;
-  return result;
+// Place of a stereographic direction in the environment map; below the horizon, the horizon.
+vec2 environmentPlace(vec2 s) {
+  return 0.5 + 0.5 * kEnvironmentScale * s * min(1.0, inversesqrt(max(dot(s, s), 1e-8)));
 }
 
-// Mean radiance of the sky over what a Gaussian of slopes about the mirror's mirrors: two taps along the longer axis of the ellipse that two
-// standard deviations make in the map.
+// Mean radiance of the sky over what facets mirror whose slopes are Gaussian about that of `mirror`: two taps along the longer
+// axis of the ellipse that two standard deviations make in the map. Centres below the horizon move to its rim; the ellipse
+// about them stays that of the unclamped place.
 vec3 environment(Mirrored mirror, vec3 covariance) {
-  vec2 ux = mirror.alongX;
-  vec2 uy = mirror.alongZ;
+  vec2 u = environmentPlace(mirror.place);
+  vec2 ux = 0.5 * kEnvironmentScale * mirror.alongX;
+  vec2 uy = 0.5 * kEnvironmentScale * mirror.alongZ;
   // J C J', the covariance in the map.
   vec2 cx = covariance.x * ux + covariance.z * uy;
   vec2 cy = covariance.z * ux + covariance.y * uy;
@@ -59,8 +39,8 @@ vec3 environment(Mirrored mirror, vec3 covariance) {
   vec2 axis = abs(xy) > 1e-12 ? normalize(vec2(xy, centre + spread - xx)) : (xx > yy ? vec2(1, 0) : vec2(0, 1));
   float size = float(textureSize(environmentMap, 0).x);
   float lod = log2(max(2.0 * size * max(minor, 0.6 * major), 1.0));
-  vec4 sum = textureLod(environmentMap, mirror.place - 0.75 * major * axis, lod) +
-             textureLod(environmentMap, mirror.place + 0.75 * major * axis, lod);
+  vec4 sum = textureLod(environmentMap, u - 0.75 * major * axis, lod) +
+             textureLod(environmentMap, u + 0.75 * major * axis, lod);
   return sum.rgb / max(sum.a, 0.02);
 }
 
@@ -84,7 +64,7 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
   float fresnel = meanFresnel(dot(v, sea.normal), deviation);
   vec2 slope = sea.slope + visibleShift(seen, v, sea.residual);
   vec3 covariance = visibleCovariance(seen, v, sea.residual);
-  Mirrored centre = mirrored(v, slope);
+  Mirrored centre = mirroredBy(slope, v);
   vec3 sky = environment(centre, covariance);
   // Part of the facets mirror what lies below the horizon, which is sea: the sky once more, mirrored at grazing incidence.
   float spread = 2.0 * sqrt(max(covarianceAlong(covariance, v.xz * inversesqrt(max(dot(v.xz, v.xz), 1e-6))), 1e-8));

@@ -19,8 +19,8 @@ struct SeaPoint {
 // was born.
 const float kFoamGrain = 2.0;
 
-// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` [m]. Only the first `cascades` are sampled,
-// of the others the variance counts; foam only from the cascades in the bit mask `foaming`, which is not 0 where kFoaming.
+// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` [m]. The first `cascades`, at least one, are
+// sampled, of the others the variance counts; foam only from the cascades in the bit mask `foaming`, which is not 0 where kFoaming.
 // Loops test at their end: software devices run a body that a loop's head has masked out.
 SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz

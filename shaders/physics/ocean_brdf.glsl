@@ -93,6 +93,29 @@ PELAGIC_FORMULA vec2 mirrorSlope(vec3 v, vec3 l) {
   return vec2(-(v.x + l.x), -(v.z + l.z)) / y;
 }
 
+// The direction r in which the facet of the slope s mirrors v, by its stereographic place r.xz / (1 + r.y):
+// r = 2 q m / M - v with m = (-s.x, 1, -s.y), q = m.v and M = m.m, so that place and derivatives are ratios of polynomials.
+struct Mirrored {
+  vec2 place;
+  vec2 alongX;  // derivative of the place by s.x
+  vec2 alongZ;  // by s.y
+  float elevation;  // r.y
+};
+
+PELAGIC_FORMULA Mirrored mirroredBy(vec2 s, vec3 v) {
+  vec2 h = vec2(v.x, v.z);
+  float q = v.y - dot(h, s);
+  float m = 1.0f + dot(s, s);
+  float b = max(2.0f * q + m * (1.0f - v.y), 0.05f * m);  // m (1 + r.y); 0 straight down
+  vec2 halfSlope = s * (1.0f - v.y) - h;                   // half the derivative of b by s
+  Mirrored r;
+  r.place = (-2.0f * q * s - m * h) / b;
+  r.alongX = (s * v.x - h * s.x - vec2(q, 0) - r.place * halfSlope.x) * (2.0f / b);
+  r.alongZ = (s * v.z - h * s.y - vec2(0, q) - r.place * halfSlope.y) * (2.0f / b);
+  r.elevation = 2.0f * q / m - v.y;
+  return r;
+}
+
 // Covariance that a disc light of angular radius `radius` [rad] adds to the slopes that mirror it: r^2/16 in the plane of
 // incidence, r^2/(16 cos^2) across, carried from the half vector h (cos: of v to h) to slopes.
 PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, float radius) {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/types.h"
 #include "physics/atmosphere.glsl"
-#include "shared/sky_light.h"
+#include "pelagic/shader/sky_light.h"
 #include "shared/sky_pass.h"
 
 const uint kThreads = 256;

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/types.h"
 #include "physics/atmosphere.glsl"
-#include "shared/sky_light.h"
+#include "pelagic/shader/sky_light.h"
 #include "shared/sky_pass.h"
 
 layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;

@@ -27,10 +27,25 @@ class PlainNames : public benchmark::BenchmarkReporter {
   bool failed_ = false;
 };
 
+constexpr const char* kHelp =
+    R"(Measures Pelagic and its peers on one device in one run; the last lines are ratios to VkFFT.
+Usage: pelagic-bench [OPTIONS]
+  --help                      Print this and leave
+  --version                   Print the version and leave
+  --device INDEX|NAME         Vulkan device; default: the best, a software device when there is no other
+  --validate                  Validation layer on; exit 3 if it says anything
+  --benchmark_filter=REGEX    Which: WaveStep/<cascades>x<size>, VkFFT/<transforms>x<size>, FFTW/<transforms>x<size>,
+                              Frame/<scene>/<WxH>, Pass/<name>/<WxH>
+  --benchmark_list_tests      Print their names and leave
+  --benchmark_repetitions=N --benchmark_min_time=SECONDS --benchmark_enable_random_interleaving=BOOL
+  --benchmark_format=console|json|csv --benchmark_out=FILE --benchmark_out_format=console|json|csv
+                              As Google Benchmark documents them)";
+
 /// Pelagic's own options; Google Benchmark's stay in argv.
 struct Options {
   common::GpuDeviceOptions gpu;
   bool version = false;
+  bool help = false;
 };
 
 Options takeOptions(int& argc, char** argv) {
@@ -47,6 +62,8 @@ Options takeOptions(int& argc, char** argv) {
       options.gpu.validate = true;
     } else if (argument == "--version") {
       options.version = true;
+    } else if (argument == "--help") {
+      options.help = true;
     } else {
       argv[kept++] = argv[i];
     }
@@ -84,8 +101,15 @@ int main(int argc, char** argv) {
     std::puts("pelagic-bench " PELAGIC_VERSION);
     return 0;
   }
+  if (options.help) {
+    std::puts(kHelp);
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  if (argc > 1) {
+    std::fprintf(stderr, "pelagic-bench: %s is unknown, allowed: what --help lists\n", argv[1]);
+    return 2;
+  }
 
   auto gpu = common::GpuDevice::create(options.gpu);
   if (!gpu) {

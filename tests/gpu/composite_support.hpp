@@ -3,7 +3,7 @@
 
 #include <pelagic/composite.hpp>
 
-#include "shared/sky_light.h"
+#include "pelagic/shader/sky_light.h"
 #include "support/gpu_test.hpp"
 
 namespace support {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
-#include "shared/sky_light.h"
 #include "support/gpu_test.hpp"
 
 namespace {

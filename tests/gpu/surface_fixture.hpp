@@ -46,8 +46,8 @@ class SurfaceTest : public support::GpuTest {
     GpuTest::TearDown();
   }
   void makeSea(const Wave& now, const Wave& before) { sea_.emplace(gpu(), now, before); }
-  void makeView(VkExtent2D extent, float targetEdge) {
-    auto surface = pelagic::Surface::create(device(), {targetEdge, true});
+  void makeView(VkExtent2D extent, float targetEdge, bool motionVectors = false) {
+    auto surface = pelagic::Surface::create(device(), {targetEdge, motionVectors});
     ASSERT_TRUE(surface) << surface.error().message;
     surface_.emplace(std::move(*surface));
     auto view = pelagic::SurfaceView::create(*surface_, sea_->maps(), extent);

@@ -193,7 +193,8 @@ glm::dvec3 project(const pelagic::Camera& camera, const glm::dvec3& relative) {
 }
 
 Water read(const common::GpuDevice& gpu, const pelagic::WaterBuffer& buffer) {
-  return {buffer.body.extent, common::readFloats(gpu, buffer.position), common::readFloats(gpu, buffer.motion),
+  return {buffer.body.extent, common::readFloats(gpu, buffer.position),
+          buffer.motion.view == VK_NULL_HANDLE ? std::vector<float>() : common::readFloats(gpu, buffer.motion),
           common::readFloats(gpu, buffer.body), common::readFloats(gpu, buffer.depth)};
 }
 

@@ -128,7 +128,7 @@ TEST_F(SurfaceTest, DisplacedPointsAreWhereThePictureShowsThem) {
 
 TEST_F(SurfaceTest, FirstFrameStandsStill) {
   makeSea({2, {8, 3}, 0.9, 0.4}, {2, {8, 3}, 0.9, 0});
-  makeView(kExtent, 8);
+  makeView(kExtent, 8, true);
   const Water water = draw(surface_scene::camera({0, 5, 0}, 0, -0.3, 0, {1}, kExtent));
   for (std::uint32_t y = 0; y < kExtent.height; ++y) {
     for (std::uint32_t x = 0; x < kExtent.width; ++x) {
@@ -145,7 +145,7 @@ TEST_F(SurfaceTest, MotionIsThatOfTheWaterPoint) {
   before.phase = 0.3;
   const VkExtent2D extent{160, 90};
   makeSea(now, before);
-  makeView(extent, 4);
+  makeView(extent, 4, true);
   const pelagic::Camera old = surface_scene::camera({1e5, 6, -3e5}, 0.5, -0.4, 0.1, {60 * kDegree}, extent);
   const pelagic::Camera moved =
       surface_scene::camera({1e5 + 0.7, 6.4, -3e5 - 0.5}, 0.55, -0.37, 0.12, {55 * kDegree}, extent);
@@ -172,6 +172,26 @@ TEST_F(SurfaceTest, MotionIsThatOfTheWaterPoint) {
   }
   EXPECT_GT(pixels, 4000);
   EXPECT_GT(largest, 10) << "the waves and the camera must move the water much farther than the tolerance";
+}
+
+TEST_F(SurfaceTest, MotionIsLeftOnlyWhenAskedForAndChangesNothingElse) {
+  const Wave wave{1.5, {8, 3}, 0.9, 0.4};
+  makeSea(wave, wave);
+  const auto camera = surface_scene::camera({30, 4, 5}, 0.3, -0.2, 0.1, {1}, kExtent);
+  makeView(kExtent, 12);
+  EXPECT_EQ(view_->buffer().motion.view, VkImageView{VK_NULL_HANDLE});
+  const Water without = draw(camera);
+  EXPECT_TRUE(without.motion.empty());
+  makeView(kExtent, 12, true);
+  const Water with = draw(camera);
+  EXPECT_EQ(with.motion.size(), 2u * kExtent.width * kExtent.height);
+  EXPECT_EQ(with.body, without.body);
+  EXPECT_EQ(with.depth, without.depth);
+  for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
+    if (with.body[i] == 0) continue;
+    ASSERT_EQ(with.position[2 * i], without.position[2 * i]);
+    ASSERT_EQ(with.position[2 * i + 1], without.position[2 * i + 1]);
+  }
 }
 
 TEST_F(SurfaceTest, DrawsLittleThatIsNotSeen) {

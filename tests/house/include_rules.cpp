@@ -28,7 +28,7 @@ std::optional<std::set<std::string>> allowedRooms(const std::string& room) {
     return std::set<std::string>{"include", "lib/gpu", "shaders/shared", "shaders/physics",
                                  "shaders/" + room.substr(4)};
   }
-  if (room == "shaders/physics" || room == "shaders/api") return std::set<std::string>{"include"};
+  if (room == "shaders/physics") return std::set<std::string>{"include"};
   if (room == "shaders/shared") return std::set<std::string>{"include", "shaders/physics"};
   if (startsWith(room, "shaders/")) return std::set<std::string>{"include", "shaders/shared", "shaders/physics"};
   if (room == "examples") return std::set<std::string>{"include"};

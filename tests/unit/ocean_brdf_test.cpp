@@ -255,4 +255,29 @@ TEST(OceanBrdf, DiscWideningHasTheDiscsSecondMoments) {
   EXPECT_NEAR(wide.z / sum.z, 1, 0.01);
 }
 
+TEST(OceanBrdf, MirroredPlaceAndItsDerivativesAreThoseOfTheMirroredRay) {
+  const auto place = [](const glm::dvec2& s, const glm::dvec3& v) {
+    const glm::dvec3 n = glm::normalize(glm::dvec3(-s.x, 1, -s.y));
+    const glm::dvec3 r = 2 * glm::dot(n, v) * n - v;
+    return glm::dvec3(r.x / (1 + r.y), r.z / (1 + r.y), r.y);
+  };
+  for (const glm::dvec3 view : {glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0.1, -0.3), glm::dvec3(-0.2, 0.5, 0.9)}) {
+    const glm::dvec3 v = glm::normalize(view);
+    for (const glm::dvec2 s : {glm::dvec2(0, 0), glm::dvec2(0.3, -0.1), glm::dvec2(-0.15, 0.4)}) {
+      const auto mirrored = physics::mirroredBy(glm::vec2(s), glm::vec3(v));
+      const glm::dvec3 expected = place(s, v);
+      EXPECT_NEAR(mirrored.place.x, expected.x, 1e-5);
+      EXPECT_NEAR(mirrored.place.y, expected.y, 1e-5);
+      EXPECT_NEAR(mirrored.elevation, expected.z, 1e-5);
+      constexpr double kStep = 1e-5;
+      const glm::dvec3 x = (place(s + glm::dvec2(kStep, 0), v) - place(s - glm::dvec2(kStep, 0), v)) / (2 * kStep);
+      const glm::dvec3 z = (place(s + glm::dvec2(0, kStep), v) - place(s - glm::dvec2(0, kStep), v)) / (2 * kStep);
+      EXPECT_NEAR(mirrored.alongX.x, x.x, 1e-4);
+      EXPECT_NEAR(mirrored.alongX.y, x.y, 1e-4);
+      EXPECT_NEAR(mirrored.alongZ.x, z.x, 1e-4);
+      EXPECT_NEAR(mirrored.alongZ.y, z.y, 1e-4);
+    }
+  }
+}
+
 }  // namespace
