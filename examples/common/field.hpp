@@ -61,11 +61,11 @@ std::string names(const Choices<T>& choices) {
 }
 
 template <class T>
-T parseChoice(const std::string& where, std::string_view text, const Choices<T>& choices) {
+T parseChoice(const std::string& where, std::string_view text, const Choices<T>& choices, const char* others = "") {
   for (const auto& choice : choices) {
     if (choice.first == text) return choice.second;
   }
-  refuse(where, text, names(choices));
+  refuse(where, text, names(choices) + others);
 }
 
 /// Appends; fields refer to the same variables as before.

@@ -16,7 +16,7 @@ nlohmann::ordered_json seaJson(const SeaSettings& sea, const pelagic::WaveLayout
   return {
       {"version", PELAGIC_VERSION},
       {"seed", sea.state.seed},
-      {"spectrum", nameOf(spectra(), sea.state.spectrum)},
+      {"spectrum", sea.state.spectrum == pelagic::Spectrum::table ? "table" : nameOf(spectra(), sea.state.spectrum)},
       {"spreading", nameOf(spreadings(), sea.state.spreading)},
       {"wind_m_s", sea.state.windSpeed},
       {"wind_direction_rad", sea.state.windDirection},

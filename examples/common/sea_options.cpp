@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "failure.hpp"
+#include "spectrum_file.hpp"
 
 namespace common {
 namespace {
@@ -25,6 +26,15 @@ pelagic::Swell parseSwell(const std::string& where, const std::string& text) {
   return swell;
 }
 
+std::array<double, pelagic::kOctaves> parseGains(const std::string& where, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const std::string name = fmt::format("{} numbers with commas, each", pelagic::kOctaves);
+  if (parts.size() != pelagic::kOctaves) refuse(where, text, name + " 0 to 10");
+  std::array<double, pelagic::kOctaves> gains{};
+  for (std::size_t i = 0; i < gains.size(); ++i) gains[i] = parsePart(where, text, parts[i], name, {0, 10, ""});
+  return gains;
+}
+
 std::vector<pelagic::Swell> parseSwells(const std::string& where, const std::vector<std::string>& texts) {
   std::vector<pelagic::Swell> trains;
   if (texts.size() == 1 && texts.front() == "none") return trains;
@@ -32,13 +42,13 @@ std::vector<pelagic::Swell> parseSwells(const std::string& where, const std::vec
   return trains;
 }
 
-pelagic::Spectrum parseSpectrum(const std::string& where, const std::string& text) {
-  const bool table = text.size() > 4 && text.compare(text.size() - 4, 4, ".csv") == 0;
-  if (text == "elfouhaily" || table) {
-    throw Failure(ExitCode::badInput,
-                  fmt::format("{} '{}' is not available in this version, allowed: {}", where, text, names(spectra())));
+void setSpectrum(const std::string& where, const std::string& text, pelagic::SeaState& state) {
+  if (text.size() > 4 && text.compare(text.size() - 4, 4, ".csv") == 0) {
+    state.table = readSpectrum(where, text);
+    state.spectrum = pelagic::Spectrum::table;
+    return;
   }
-  return parseChoice(where, text, spectra());
+  state.spectrum = parseChoice(where, text, spectra(), ", or a measured one: FILE.csv");
 }
 
 }  // namespace
@@ -47,7 +57,8 @@ const Choices<pelagic::Spectrum>& spectra() {
   static const Choices<pelagic::Spectrum> choices{{"phillips", pelagic::Spectrum::phillips},
                                                   {"pierson-moskowitz", pelagic::Spectrum::piersonMoskowitz},
                                                   {"jonswap", pelagic::Spectrum::jonswap},
-                                                  {"tma", pelagic::Spectrum::tma}};
+                                                  {"tma", pelagic::Spectrum::tma},
+                                                  {"elfouhaily", pelagic::Spectrum::elfouhaily}};
   return choices;
 }
 
@@ -55,7 +66,8 @@ const Choices<pelagic::Spreading>& spreadings() {
   static const Choices<pelagic::Spreading> choices{{"cos2", pelagic::Spreading::cos2},
                                                    {"mitsuyasu", pelagic::Spreading::mitsuyasu},
                                                    {"hasselmann", pelagic::Spreading::hasselmann},
-                                                   {"donelan-banner", pelagic::Spreading::donelanBanner}};
+                                                   {"donelan-banner", pelagic::Spreading::donelanBanner},
+                                                   {"elfouhaily", pelagic::Spreading::elfouhaily}};
   return choices;
 }
 
@@ -68,12 +80,19 @@ Fields seaFields(SeaSettings& sea) {
                   {-360, 360, "degrees"}, state.windDirection, kDegree),
       numberField("fetch", "KM", "Distance over which the wind blows", {0.1, 10000, "km"}, state.fetch, 1000),
       numberField("depth", "M", "Water depth", {0.5, kInfinity, "m"}, state.depth),
-      {"spectrum", "NAME", "Spectrum of the wind sea: " + names(spectra()),
-       [&state](const std::string& where, const Texts& t) { state.spectrum = parseSpectrum(where, t.front()); }},
+      {"spectrum", "NAME|FILE.csv",
+       "Spectrum of the wind sea: " + names(spectra()) + ", or a measured one (see examples/README.md)",
+       [&state](const std::string& where, const Texts& t) { setSpectrum(where, t.front(), state); }},
       {"spreading", "NAME", "Distribution over directions: " + names(spreadings()),
        [&state](const std::string& where, const Texts& t) {
          state.spreading = parseChoice(where, t.front(), spreadings());
        }},
+      numberField("swell-sharpening", "X", "How far the wind sea is narrowed toward swell", {0, 1, ""},
+                  state.swellSharpening),
+      {"octave-gain", "G,G,...",
+       fmt::format("For artists: {} factors on the amplitude of waves about 512, 256, ... 0.25 m long, each 0 to 10",
+                   pelagic::kOctaves),
+       [&state](const std::string& where, const Texts& t) { state.octaveGain = parseGains(where, t.front()); }},
       {"swell", "HS_M,TP_S,DEG[,SPREAD]",
        "A train of swell, repeatable: height more than 0 to 20 m, period 1 to 30 s, direction -360 to 360 degrees, "
        "spread 1 to 200 (larger is narrower); 'none' for no swell",

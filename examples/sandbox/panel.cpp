@@ -1,5 +1,6 @@
 #include "panel.hpp"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -66,6 +67,17 @@ bool drawSwell(std::vector<pelagic::Swell>& trains) {
   return changed;
 }
 
+bool drawOctaves(std::array<double, pelagic::kOctaves>& gains) {
+  if (!ImGui::TreeNode("Gain by octave")) return false;
+  bool changed = false;
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    const std::string label = fmt::format("{} m", std::exp2(9.0 - static_cast<double>(i)));
+    changed |= slide(label.c_str(), gains[i], 0, 10);
+  }
+  ImGui::TreePop();
+  return changed;
+}
+
 bool drawDepth(double& depth) {
   bool finite = std::isfinite(depth);
   bool changed = ImGui::Checkbox("Shallow water", &finite);
@@ -83,6 +95,8 @@ void drawSea(common::SeaSettings& sea, Changes& changes) {
   changed |= choose("Spectrum", state.spectrum, common::spectra());
   changed |= choose("Spreading", state.spreading, common::spreadings());
   changed |= slide("Choppiness", state.choppiness, 0, 2);
+  changed |= slide("Swell sharpening", state.swellSharpening, 0, 1);
+  changed |= drawOctaves(state.octaveGain);
   changed |= drawSwell(state.swell);
   changes.sea |= changed;
 

@@ -1,6 +1,8 @@
 /// The sea that the caller asks for.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <pelagic/result.hpp>
@@ -17,6 +19,8 @@ enum class Spectrum {
   piersonMoskowitz,  ///< Pierson & Moskowitz (1964): fully developed, fetch is not used.
   jonswap,           ///< Hasselmann et al. (1973), fetch capped where the sea is fully developed.
   tma,               ///< JONSWAP x Kitaigorodskii's depth factor (Bouws et al. 1985).
+  elfouhaily,        ///< Elfouhaily et al. (1997): from the longest wind wave down to capillaries, with their slopes.
+  table,             ///< As measured: SeaState::table.
 };
 
 /// Distribution of the wind sea's energy over directions.
@@ -25,7 +29,11 @@ enum class Spreading {
   mitsuyasu,      ///< cos^2s of half the angle, Mitsuyasu et al. (1975).
   hasselmann,     ///< cos^2s of half the angle, Hasselmann et al. (1980).
   donelanBanner,  ///< sech^2, Donelan et al. (1985) with Banner's (1990) tail.
+  elfouhaily,     ///< 1 + Delta cos 2 theta within 90 degrees of the wind, Elfouhaily et al. (1997).
 };
+
+/// Octaves of wavelength that SeaState::octaveGain tells apart, from 512 m down to 0.25 m.
+inline constexpr std::size_t kOctaves = 12;
 
 /// One train of swell: waves that come from a distant storm.
 struct Swell {
@@ -33,6 +41,18 @@ struct Swell {
   double peakPeriod = 10;        ///< Tp [s], 1 … 30.
   double direction = 0;          ///< Travels toward, from +x turning to +z [rad], finite.
   double spread = 20;            ///< Exponent s of cos^2s of half the angle [1], 1 … 200; larger is narrower.
+};
+
+/// A measured frequency spectrum, as buoys and wave models publish it; linear between its entries. Below the lowest
+/// frequency there is nothing, above the highest the density falls as f^-5 (Phillips 1958): end with 0 for no such
+/// tail.
+struct SpectrumTable {
+  std::vector<double> frequency;  ///< f [Hz], rising, 1e-3 … 50; 2 … 4096 entries.
+  /// Directions the waves travel toward, from +x turning to +z [rad], rising, within one turn; 3 … 720 entries. Or
+  /// empty: the density is that of all directions together, which SeaState::spreading spreads about the wind.
+  std::vector<double> direction;
+  /// S(f) [m^2/Hz], one a frequency; or S(f, theta) [m^2/(Hz rad)], of every frequency all directions. >= 0, not all 0.
+  std::vector<double> density;
 };
 
 /// A sea state. Lengths in metres, times in seconds, angles in radians.
@@ -43,6 +63,14 @@ struct SeaState {
   double depth = std::numeric_limits<double>::infinity();  ///< Water depth [m], 0.5 … infinity.
   Spectrum spectrum = Spectrum::jonswap;
   Spreading spreading = Spreading::hasselmann;
+  /// Narrows the wind sea toward swell, most of all its long waves: adds 16 tanh(w_p/w) xi^2 to the exponent s of
+  /// cos^2s of half the angle, or multiplies another spreading by such a cosine; xi, 0 … 1 (Horvath 2015).
+  double swellSharpening = 0;
+  SpectrumTable table;  ///< With Spectrum::table; fetch is not used then.
+  /// For artists: factor on the amplitude of waves about 512, 256, … 0.25 m long, linear over the octaves between, the
+  /// same beyond the ends [1], 0 … 10. Everything computed from the sea includes it but windSeaSpectrum() and
+  /// swellSpectrum(). 1 is physical.
+  std::array<double, kOctaves> octaveGain{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
   std::vector<Swell> swell;
   std::uint64_t seed = 1;  ///< Any; the same seed gives the same sea on every machine.

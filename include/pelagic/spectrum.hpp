@@ -39,6 +39,9 @@ double elevationVariance(const SeaState& sea, double kMin, double kMax) noexcept
 SlopeVariance slopeVariance(const SeaState& sea, double kMin, double kMax) noexcept;
 /// Hs = 4 sqrt(m0) [m] of the whole sea.
 double significantWaveHeight(const SeaState& sea) noexcept;
+/// Mean period between zero up-crossings Tz = 2 pi sqrt(m0 / m2) [s] of a point of the whole sea, m2 the variance of
+/// the elevation's rate.
+double zeroCrossingPeriod(const SeaState& sea) noexcept;
 /// Period of the largest maximum of S(w) over wind sea and swell [s].
 double peakPeriod(const SeaState& sea) noexcept;
 /// Wavelength at the peak of the longest train, wind sea or swell [m].

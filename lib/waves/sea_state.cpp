@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gpu/context.hpp>
 #include <sstream>
+#include <waves/spectrum_table.hpp>
 
 #include <pelagic/sea_state.hpp>
 
@@ -30,17 +31,22 @@ Result<void> validate(const SeaState& sea) {
   const Field fields[] = {
       {"windSpeed", sea.windSpeed, 0.1, 60, "m/s"}, {"windDirection", sea.windDirection, -kAnyAngle, kAnyAngle, "rad"},
       {"fetch", sea.fetch, 100, 1e7, "m"},          {"depth", sea.depth, 0.5, kInfinity, "m"},
-      {"choppiness", sea.choppiness, 0, 2, ""},
+      {"choppiness", sea.choppiness, 0, 2, ""},     {"swellSharpening", sea.swellSharpening, 0, 1, ""},
   };
   for (const Field& field : fields) PELAGIC_CHECK(check("SeaState", field));
-  if (sea.spectrum < Spectrum::phillips || sea.spectrum > Spectrum::tma) {
+  for (std::size_t i = 0; i < kOctaves; ++i) {
+    const std::string name = "octaveGain[" + std::to_string(i) + "]";
+    PELAGIC_CHECK(check("SeaState", {name.c_str(), sea.octaveGain[i], 0, 10, ""}));
+  }
+  if (sea.spectrum < Spectrum::phillips || sea.spectrum > Spectrum::table) {
     return gpu::reject("SeaState::spectrum is " + std::to_string(static_cast<int>(sea.spectrum)) +
                        ", it must be one of the enumerators");
   }
-  if (sea.spreading < Spreading::cos2 || sea.spreading > Spreading::donelanBanner) {
+  if (sea.spreading < Spreading::cos2 || sea.spreading > Spreading::elfouhaily) {
     return gpu::reject("SeaState::spreading is " + std::to_string(static_cast<int>(sea.spreading)) +
                        ", it must be one of the enumerators");
   }
+  if (sea.spectrum == Spectrum::table) PELAGIC_CHECK(validate(sea.table));
   for (std::size_t i = 0; i < sea.swell.size(); ++i) {
     const Swell& swell = sea.swell[i];
     const Field trains[] = {

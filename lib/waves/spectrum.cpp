@@ -2,12 +2,15 @@
 #include <cmath>
 #include <numbers>
 #include <pelagic/spectrum.hpp>
+#include <waves/spectrum_table.hpp>
 #include <waves/spreading.hpp>
+#include <waves/unified.hpp>
 
 namespace pelagic {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kDeep = std::numeric_limits<double>::infinity();
 /// Surface tension over density of clean sea water [m^3/s^2].
 constexpr double kCapillarity = 7.4e-5;
 /// Pierson & Moskowitz (1964): S = alpha g^2 w^-5 exp(-beta (w0/w)^4), w0 = g / U19.5.
@@ -55,6 +58,20 @@ double depthFactor(double kh) noexcept {
   return t * t / (1 + u);
 }
 
+/// The wave number of deep water: the real root of (sigma/rho) k^3 + g k = w^2 (Cardano, as Vieta's hyperbolic sine).
+double deepWaveNumber(double w) noexcept {
+  const double p = kGravity / kCapillarity;
+  const double scale = std::sqrt(p / 3);
+  return 2 * scale * std::sinh(std::asinh(1.5 * w * w / (kCapillarity * p * scale)) / 3);
+}
+
+/// S(w) of the unified spectrum, which is one over wave numbers of deep water. Depth changes the waves' lengths, not
+/// the energy of a frequency, as with the other spectra.
+double unified(const SeaState& sea, double w) noexcept {
+  const double k = deepWaveNumber(w);
+  return unifiedSpectrum(unifiedSea(sea.windSpeed, sea.fetch), k) / groupSpeed(k, kDeep);
+}
+
 /// Wind sea at a frequency whose wave number is known.
 double windSea(const SeaState& sea, double w, double k) noexcept {
   switch (sea.spectrum) {
@@ -66,8 +83,53 @@ double windSea(const SeaState& sea, double w, double k) noexcept {
       return jonswap(sea, w);
     case Spectrum::tma:
       return jonswap(sea, w) * depthFactor(k * sea.depth);
+    case Spectrum::elfouhaily:
+      return unified(sea, w);
+    case Spectrum::table:
+      return tableSpectrum(sea.table, w);
   }
   return 0;
+}
+
+/// Gain of the energy of waves of one length, SeaState::octaveGain squared [1].
+double energyGain(const SeaState& sea, double k) noexcept {
+  constexpr double kFirst = 9;  // log2 of the first octave's wavelength
+  const double place = std::clamp(kFirst - std::log2(2 * kPi / k), 0.0, static_cast<double>(kOctaves - 1));
+  const auto low = std::min(static_cast<std::size_t>(place), kOctaves - 2);
+  const double gain = std::lerp(sea.octaveGain[low], sea.octaveGain[low + 1], place - static_cast<double>(low));
+  return gain * gain;
+}
+
+/// D of the wind sea at one frequency.
+class WindDirections {
+ public:
+  WindDirections(const SeaState& sea, double w) noexcept : sea_(sea), w_(w) {
+    if (measured()) return;
+    const double peak = peakFrequency(sea);
+    SpreadingPoint point{w / peak, sea.windSpeed * peak / kGravity};
+    if (sea.spreading == Spreading::elfouhaily) {
+      point.asymmetry = unifiedAsymmetry(unifiedSea(sea.windSpeed, sea.fetch), deepWaveNumber(w));
+    }
+    point.sharpen = 16 * std::tanh(1 / point.relative) * sea.swellSharpening * sea.swellSharpening;
+    model_ = directionsAt(sea.spreading, point);
+  }
+  /// [1/rad]; theta [rad] from the wind.
+  double operator()(double theta) const noexcept {
+    return measured() ? tableSpreading(sea_.table, w_, theta + sea_.windDirection) : model_(theta);
+  }
+
+ private:
+  bool measured() const noexcept { return sea_.spectrum == Spectrum::table && !sea_.table.direction.empty(); }
+  const SeaState& sea_;
+  double w_;
+  Directions model_;
+};
+
+/// S(w) of everything where the wave number is known.
+double spectrumAt(const SeaState& sea, double w, double k) noexcept {
+  double sum = windSea(sea, w, k);
+  for (const Swell& swell : sea.swell) sum += swellSpectrum(swell, w);
+  return sum * energyGain(sea, k);
 }
 
 /// Integral over ln k of f(k) by Simpson's rule; the ends stand for 0 and infinity, outside them no sea has energy.
@@ -142,6 +204,10 @@ double peakFrequency(const SeaState& sea) noexcept {
     case Spectrum::jonswap:
     case Spectrum::tma:
       return 22 * std::cbrt(kGravity * kGravity / (sea.windSpeed * effectiveFetch(sea)));
+    case Spectrum::elfouhaily:
+      return angularFrequency(unifiedSea(sea.windSpeed, sea.fetch).peakWaveNumber, kDeep);
+    case Spectrum::table:
+      return tablePeak(sea.table);
   }
   return 0;
 }
@@ -162,15 +228,10 @@ double swellSpectrum(const Swell& swell, double w) noexcept {
 }
 
 double frequencySpectrum(const SeaState& sea, double w) noexcept {
-  double sum = windSeaSpectrum(sea, w);
-  for (const Swell& swell : sea.swell) sum += swellSpectrum(swell, w);
-  return sum;
+  return w > 0 ? spectrumAt(sea, w, waveNumberOf(w, sea.depth)) : 0;
 }
 
-double windSeaSpreading(const SeaState& sea, double w, double theta) noexcept {
-  const double peak = peakFrequency(sea);
-  return spreading(sea.spreading, w / peak, sea.windSpeed * peak / kGravity, theta);
-}
+double windSeaSpreading(const SeaState& sea, double w, double theta) noexcept { return WindDirections(sea, w)(theta); }
 
 double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept {
   const double k = std::hypot(kx, kz);
@@ -181,43 +242,47 @@ double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept {
   for (const Swell& swell : sea.swell) {
     sum += swellSpectrum(swell, w) * cosinePower(swell.spread, direction - swell.direction);
   }
-  return sum * groupSpeed(k, sea.depth) / k;
+  return sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k;
 }
 
 double elevationVariance(const SeaState& sea, double kMin, double kMax) noexcept {
   return integrateOverWaveNumber(kMin, kMax, [&](double k) {
-    const double w = angularFrequency(k, sea.depth);
-    double s = windSea(sea, w, k);
-    for (const Swell& swell : sea.swell) s += swellSpectrum(swell, w);
-    return s * groupSpeed(k, sea.depth);
+    return spectrumAt(sea, angularFrequency(k, sea.depth), k) * groupSpeed(k, sea.depth);
   });
 }
 
 SlopeVariance slopeVariance(const SeaState& sea, double kMin, double kMax) noexcept {
-  double total = 0;
-  const double along = integrateOverWaveNumber(kMin, kMax, [&](double k) {
-    const double w = angularFrequency(k, sea.depth);
-    const double wind = windSea(sea, w, k);
-    return k * k * groupSpeed(k, sea.depth) * wind *
-           alongShare([&](double theta) { return windSeaSpreading(sea, w, theta); });
-  });
-  total += integrateOverWaveNumber(kMin, kMax, [&](double k) {
-    return k * k * groupSpeed(k, sea.depth) * windSea(sea, angularFrequency(k, sea.depth), k);
-  });
-  SlopeVariance result{along, total - along};
+  const auto slopes = [&](double k, double density) {
+    return k * k * groupSpeed(k, sea.depth) * energyGain(sea, k) * density;
+  };
+  SlopeVariance result;
+  const auto add = [&](const auto& density, const auto& share) {
+    const auto along = [&](double k) { return density(angularFrequency(k, sea.depth), k) * share(k); };
+    const double up = integrateOverWaveNumber(kMin, kMax, [&](double k) { return slopes(k, along(k)); });
+    const double all = integrateOverWaveNumber(
+        kMin, kMax, [&](double k) { return slopes(k, density(angularFrequency(k, sea.depth), k)); });
+    result.upwind += up;
+    result.crosswind += all - up;
+  };
+  add([&](double w, double k) { return windSea(sea, w, k); },
+      [&](double k) { return alongShare(WindDirections(sea, angularFrequency(k, sea.depth))); });
   for (const Swell& swell : sea.swell) {
-    const double train = integrateOverWaveNumber(kMin, kMax, [&](double k) {
-      return k * k * groupSpeed(k, sea.depth) * swellSpectrum(swell, angularFrequency(k, sea.depth));
-    });
     const double share = alongShare(
         [&](double theta) { return cosinePower(swell.spread, theta - (swell.direction - sea.windDirection)); });
-    result.upwind += train * share;
-    result.crosswind += train * (1 - share);
+    add([&](double w, double) { return swellSpectrum(swell, w); }, [&](double) { return share; });
   }
   return result;
 }
 
 double significantWaveHeight(const SeaState& sea) noexcept { return 4 * std::sqrt(elevationVariance(sea, 0, 1e4)); }
+
+double zeroCrossingPeriod(const SeaState& sea) noexcept {
+  const double m2 = integrateOverWaveNumber(0, 1e4, [&](double k) {
+    const double w = angularFrequency(k, sea.depth);
+    return w * w * spectrumAt(sea, w, k) * groupSpeed(k, sea.depth);
+  });
+  return 2 * kPi * std::sqrt(elevationVariance(sea, 0, 1e4) / m2);
+}
 
 double peakPeriod(const SeaState& sea) noexcept {
   double best = peakFrequency(sea);
@@ -229,7 +294,7 @@ double peakPeriod(const SeaState& sea) noexcept {
 }
 
 double longestPeakWavelength(const SeaState& sea) noexcept {
-  double lowest = peakFrequency(sea);
+  double lowest = sea.spectrum == Spectrum::table ? tableLongestPeak(sea.table) : peakFrequency(sea);
   for (const Swell& swell : sea.swell) lowest = std::min(lowest, 2 * kPi / swell.peakPeriod);
   return 2 * kPi / waveNumberOf(lowest, sea.depth);
 }

@@ -103,6 +103,35 @@ TEST_F(BakeTest, DefaultsAreTheContracts) {
   EXPECT_NEAR(4 * std::sqrt(variance) / static_cast<double>(sea["hs_m"]["grid"]), 1, 1e-4);
 }
 
+TEST_F(BakeTest, TakesMeasuredSpectra) {
+  // A triangle of 0.6, trapezia of 0.7 and 0.2 and a tail of 4 x 0.2 / 4 m^2.
+  writeFile("buoy.csv", "# f [Hz], S [m^2/Hz]\n0.05,0\n0.1, 24\n\n0.15,4\r\n0.2,4\n");
+  succeed("bake", "--output sea --spectrum buoy.csv" + kSmall);
+  const nlohmann::json sea = readJson("sea/sea.json");
+  EXPECT_EQ(sea["spectrum"], "table");
+  EXPECT_NEAR(sea["hs_m"]["target"], 4 * std::sqrt(0.6 + 0.7 + 0.2 + 0.2), 0.01);
+  EXPECT_NEAR(sea["tp_s"], 10, 1e-9);
+}
+
+TEST_F(BakeTest, DirectionsOfMeasuredSpectraAreThoseOfTheWorld) {
+  // All waves run toward +z, 90 degrees, though the wind blows toward +x: crests lie along x.
+  writeFile("sea.csv", "f,60,90,120,270\n0.08,0,1,0,0\n0.1,0,4,0,0\n0.2,0,1,0,0\n");
+  succeed("bake", "--output sea --spectrum sea.csv --wind-direction 0" + kSmall);
+  const nlohmann::json mss = readJson("sea/sea.json")["mss"];
+  EXPECT_GT(static_cast<double>(mss["grid_crosswind"]), 10 * static_cast<double>(mss["grid_upwind"]));
+}
+
+TEST_F(BakeTest, BadSpectrumFilesAreRefusedWithTheirLine) {
+  writeFile("a.csv", "0.1,1\n0.2,-1\n");
+  refused("bake", "--output sea --spectrum a.csv", {"--spectrum a.csv:2", "'-1'", "0 to 1000000 m^2/Hz"});
+  writeFile("b.csv", "0.1,1\n0.2,1,3\n");
+  refused("bake", "--output sea --spectrum b.csv", {"--spectrum b.csv:2", "'0.2,1,3'", "2 numbers with commas"});
+  writeFile("c.csv", "0.1,1\n");
+  refused("bake", "--output sea --spectrum c.csv", {"--spectrum", "'c.csv'", "at least two rows"});
+  writeFile("d.csv", "0.2,1\n0.1,1\n");
+  refused("bake", "--output sea --spectrum d.csv", {"SeaState::table.frequency[1]", "0.1", "exceed"});
+}
+
 TEST_F(BakeTest, SlopesAndGradientsAreTheDerivatives) {
   succeed("bake", "--output sea --time 12 --wind-direction 30 --choppiness 0.8" + kSmall);
   for (std::size_t c = 0; c < 2; ++c) {

@@ -112,6 +112,39 @@ TEST(Spectra, TmaIsJonswapTimesKitaigorodskii) {
   EXPECT_DOUBLE_EQ(windSeaSpectrum(sea, w), deep);
 }
 
+TEST(Spectra, ZeroCrossingPeriodHasItsClosedForm) {
+  // Of Pierson & Moskowitz's exp(-b/w^4)/w^5: m0 = C/(4b), m2 = C sqrt(pi/b)/4, so Tz = 2 pi / (pi b)^(1/4).
+  SeaState sea;
+  sea.spectrum = Spectrum::piersonMoskowitz;
+  sea.windSpeed = 14;
+  const double b = 0.74 * std::pow(9.81 / (1.026 * 14), 4);
+  EXPECT_NEAR(zeroCrossingPeriod(sea), 2 * kPi / std::pow(kPi * b, 0.25), 0.01);
+}
+
+TEST(Spectra, OctaveGainScalesAmplitudes) {
+  SeaState plain;
+  plain.swell.push_back({1, 24, 0, 20});  // 900 m
+  SeaState sea = plain;
+  sea.octaveGain[5] = 3;  // 16 m
+  const auto ratio = [&](double wavelength) {
+    const double k = 2 * kPi / wavelength;
+    return std::sqrt(waveNumberSpectrum(sea, k, 0) / waveNumberSpectrum(plain, k, 0));
+  };
+  EXPECT_NEAR(ratio(16), 3, 1e-9);
+  EXPECT_NEAR(ratio(16 * std::sqrt(2)), 2, 1e-9);  // half an octave away
+  EXPECT_NEAR(ratio(8), 1, 1e-9);
+  EXPECT_NEAR(ratio(33), 1, 1e-9);
+  sea.octaveGain.fill(2);
+  EXPECT_NEAR(ratio(900), 2, 1e-9);  // beyond the ends, too
+  EXPECT_NEAR(ratio(0.01), 2, 1e-9);
+  EXPECT_NEAR(significantWaveHeight(sea) / significantWaveHeight(plain), 2, 1e-9);
+  const SlopeVariance with = slopeVariance(sea, 0, 50);
+  const SlopeVariance without = slopeVariance(plain, 0, 50);
+  EXPECT_NEAR(with.upwind / without.upwind, 4, 1e-9);
+  EXPECT_NEAR(with.crosswind / without.crosswind, 4, 1e-9);
+  EXPECT_NEAR(frequencySpectrum(sea, 1) / frequencySpectrum(plain, 1), 4, 1e-9);
+}
+
 TEST(Spectra, SwellHasItsHeightAndPeriod) {
   const Swell swell{2.5, 12, 0.3, 40};
   EXPECT_NEAR(varianceOf([&](double w) { return swellSpectrum(swell, w); }), 2.5 * 2.5 / 16, 1e-6);
@@ -132,6 +165,29 @@ TEST(Spreadings, IntegrateToOneAtEveryFrequency) {
       EXPECT_NEAR(whole, 1, 3e-5) << static_cast<int>(kind) << " at " << relative << " peak frequencies";
       EXPECT_GE(windSeaSpreading(sea, w, 0.2), windSeaSpreading(sea, w, 1.2));
       EXPECT_NEAR(windSeaSpreading(sea, w, 0.5), windSeaSpreading(sea, w, 0.5 - 2 * kPi), 1e-12);
+    }
+  }
+}
+
+TEST(Spreadings, SwellSharpeningAddsToTheExponentAndKeepsTheIntegral) {
+  SeaState broad;
+  for (const Spreading kind : {Spreading::cos2, Spreading::mitsuyasu, Spreading::hasselmann, Spreading::donelanBanner,
+                               Spreading::elfouhaily}) {
+    broad.spreading = kind;
+    for (const double xi : {0.3, 1.0}) {
+      SeaState sharp = broad;
+      sharp.swellSharpening = xi;
+      for (const double relative : {0.5, 1.0, 3.0}) {
+        const double w = relative * peakFrequency(broad);
+        const double exponent = 16 * std::tanh(1 / relative) * xi * xi;  // w_p over w, not w over w_p
+        const auto ratio = [&](double theta) {
+          return windSeaSpreading(sharp, w, theta) / windSeaSpreading(broad, w, theta);
+        };
+        EXPECT_NEAR(ratio(1) / ratio(0), std::pow(std::cos(0.5), 2 * exponent), 1e-9) << static_cast<int>(kind);
+        const double whole =
+            integrate(-kPi, kPi, 20000, [&](double theta) { return windSeaSpreading(sharp, w, theta); });
+        EXPECT_NEAR(whole, 1, 3e-5) << static_cast<int>(kind) << " at " << relative << " peak frequencies";
+      }
     }
   }
 }
@@ -200,6 +256,12 @@ TEST(Validation, NamesFieldValueAndRange) {
   sea = {};
   sea.swell.push_back({1, 0, 0, 10});
   EXPECT_EQ(validate(sea).error().message, "SeaState::swell[0]::peakPeriod is 0, it must lie in 1 … 30 s");
+  sea = {};
+  sea.octaveGain[3] = -1;
+  EXPECT_EQ(validate(sea).error().message, "SeaState::octaveGain[3] is -1, it must lie in 0 … 10");
+  sea = {};
+  sea.swellSharpening = 1.5;
+  EXPECT_EQ(validate(sea).error().message, "SeaState::swellSharpening is 1.5, it must lie in 0 … 1");
   sea = {};
   sea.spectrum = static_cast<Spectrum>(77);
   EXPECT_FALSE(validate(sea));
