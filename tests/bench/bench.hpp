@@ -57,5 +57,6 @@ void addPasses(Setup& setup, Results& results);
 void addWaveSteps(Setup& setup, Results& results);
 void addVkFft(Setup& setup, Results& results);
 void addFftw(Results& results);
+void addQueries(Results& results);
 
 }  // namespace bench

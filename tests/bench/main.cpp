@@ -35,7 +35,7 @@ Usage: pelagic-bench [OPTIONS]
   --device INDEX|NAME         Vulkan device; default: the best, a software device when there is no other
   --validate                  Validation layer on; exit 3 if it says anything
   --benchmark_filter=REGEX    Which: WaveStep/<cascades>x<size>, VkFFT/<transforms>x<size>, FFTW/<transforms>x<size>,
-                              Frame/<scene>/<WxH>, Pass/<name>/<WxH>
+                              Frame/<scene>/<WxH>, Pass/<name>/<WxH>, Query/cpu/<points>[/new-time]
   --benchmark_list_tests      Print their names and leave
   --benchmark_repetitions=N --benchmark_min_time=SECONDS --benchmark_enable_random_interleaving=BOOL
   --benchmark_format=console|json|csv --benchmark_out=FILE --benchmark_out_format=console|json|csv
@@ -83,6 +83,7 @@ int run(common::GpuDevice gpu) {
   bench::addWaveSteps(setup, results);
   bench::addVkFft(setup, results);
   bench::addFftw(results);
+  bench::addQueries(results);
   bench::addFrames(setup, results);
   const std::string filter = benchmark::GetBenchmarkFilter();
   if (filter.empty() || filter == "all" || filter.find("Pass") != std::string::npos) bench::addPasses(setup, results);

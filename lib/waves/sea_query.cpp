@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <gpu/context.hpp>
+#include <numbers>
+#include <pelagic/query.hpp>
+#include <waves/cpu_lattice.hpp>
+#include <waves/grid_sea.hpp>
+
+namespace pelagic {
+namespace {
+
+/// Newton's iteration takes this many steps at most, and ends with the step from a point that misses by less than kMiss
+/// [m], after which what is left is far smaller: the surface is linear between texels but for a bilinear term.
+constexpr int kSteps = 16;
+constexpr double kMiss = 1e-4;
+/// The least determinant that a step divides by: where water is folded over, steps stay short.
+constexpr double kLeastJacobian = 0.2;
+/// Farther from the origin a point is not where it was asked for.
+constexpr double kFarthest = 1e9;
+
+/// (Dx, h, Dz, dDz/dx) at a point of the undisplaced plane, and its slope between the texels there.
+struct Local {
+  glm::vec4 value{0};
+  glm::vec4 alongX{0};  ///< Per metre.
+  glm::vec4 alongZ{0};
+};
+
+void addLocal(const CpuLattice& lattice, const glm::dvec2& point, Local& local) noexcept {
+  const LatticePlace place = lattice.placeOf(point);
+  const auto& texels = lattice.texels().displacement;
+  const glm::vec4 nearRow = texels[place.corners[1]] - texels[place.corners[0]];
+  const glm::vec4 farRow = texels[place.corners[3]] - texels[place.corners[2]];
+  const glm::vec4 low = texels[place.corners[0]] + nearRow * place.x;
+  const glm::vec4 rise = texels[place.corners[2]] + farRow * place.x - low;
+  const auto perMetre = static_cast<float>(lattice.density());
+  local.value += low + rise * place.z;
+  local.alongX += (nearRow + (farRow - nearRow) * place.z) * perMetre;
+  local.alongZ += rise * perMetre;
+}
+
+/// The water that is displaced to a place, p + D(p) = place.
+struct Found {
+  glm::dvec2 undisplaced{0};
+  double height = 0;
+};
+
+}  // namespace
+
+struct SeaQuery::Impl {
+  WavesInfo info;
+  double kMax = 0;
+  double time = 0;
+  double deviation = 0;  ///< Of the elevation [m].
+  double shortest = 0;   ///< Length of the finest cell [m].
+  std::vector<CpuLattice> lattices;
+  InverseFft fft;
+  ComplexPlane plane, scratch;
+
+  Impl(const WavesInfo& wanted, double shortestWavelength);
+  void build(const SeaState& sea);
+  void evolve() noexcept;
+  Found find(const glm::dvec2& point) const noexcept;
+  glm::dvec4 sum(std::vector<glm::vec4> LatticeTexels::*map, const glm::dvec2& point) const noexcept;
+  SurfacePoint surfaceAt(const glm::dvec2& point) const noexcept;
+  double heightAt(const glm::dvec2& point) const noexcept { return find(point).height; }
+};
+
+SeaQuery::Impl::Impl(const WavesInfo& wanted, double shortestWavelength)
+    : info(wanted),
+      kMax(shortestWavelength > 0 ? 2 * std::numbers::pi / shortestWavelength : HUGE_VAL),
+      fft(wanted.layout.size) {
+  const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
+  for (auto* part : {&plane.re, &plane.im, &scratch.re, &scratch.im}) part->resize(count);
+  build(info.sea);
+}
+
+void SeaQuery::Impl::build(const SeaState& sea) {
+  std::vector<CpuLattice> built;
+  double variance = 0;
+  for (std::uint32_t c = 0; c < info.layout.count && info.layout.cascades[c].kMin < kMax; ++c) {
+    const Cascade& cascade = info.layout.cascades[c];
+    built.emplace_back(sea, info, c, kMax);
+    variance += elevationVariance(sea, cascade.kMin, std::min(cascade.kMax, kMax));
+  }
+  lattices = std::move(built);
+  info.sea = sea;
+  deviation = std::sqrt(variance);
+  shortest = lattices.empty() ? 1 : 1 / lattices.back().density();
+  evolve();
+}
+
+void SeaQuery::Impl::evolve() noexcept {
+  for (CpuLattice& lattice : lattices) lattice.evolve(time, fft, plane, scratch);
+}
+
+Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
+  Found found{point, 0};
+  for (int i = 0; i < kSteps; ++i) {
+    Local local;
+    for (const CpuLattice& lattice : lattices) addLocal(lattice, found.undisplaced, local);
+    const glm::dvec2 miss = found.undisplaced + glm::dvec2(local.value.x, local.value.z) - point;
+    const glm::dvec4 x(local.alongX);
+    const glm::dvec4 z(local.alongZ);
+    const double determinant = std::max((1 + x.x) * (1 + z.z) - x.z * z.x, kLeastJacobian);
+    const glm::dvec2 step =
+        glm::dvec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
+    found.undisplaced += step;
+    found.height = static_cast<double>(local.value.y) + x.y * step.x + z.y * step.y;
+    if (glm::dot(miss, miss) < kMiss * kMiss) break;
+  }
+  return found;
+}
+
+glm::dvec4 SeaQuery::Impl::sum(std::vector<glm::vec4> LatticeTexels::*map, const glm::dvec2& point) const noexcept {
+  glm::dvec4 total(0);
+  for (const CpuLattice& lattice : lattices) total += glm::dvec4(lattice.placeOf(point).value(lattice.texels().*map));
+  return total;
+}
+
+SurfacePoint SeaQuery::Impl::surfaceAt(const glm::dvec2& point) const noexcept {
+  SurfacePoint result;
+  const Found found = find(point);
+  const glm::dvec2 p = found.undisplaced;
+  const glm::dvec4 d = sum(&LatticeTexels::displacement, p);
+  const glm::dvec4 g = sum(&LatticeTexels::gradient, p);
+  result.position = {point.x, found.height, point.y};
+  result.undisplaced = p;
+  // P_z x P_x with P = (x + Dx, h, z + Dz).
+  const glm::dvec3 alongX(1 + g.z, g.x, d.w);
+  const glm::dvec3 alongZ(d.w, g.y, 1 + g.w);
+  const glm::dvec3 normal = glm::cross(alongZ, alongX);
+  const double length = glm::length(normal);
+  if (length > 0) result.normal = normal / length;
+  result.velocity = glm::dvec3(sum(&LatticeTexels::velocity, p));
+  result.acceleration = glm::dvec3(sum(&LatticeTexels::acceleration, p));
+  return result;
+}
+
+SeaQuery::SeaQuery(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+SeaQuery::SeaQuery(SeaQuery&&) noexcept = default;
+SeaQuery& SeaQuery::operator=(SeaQuery&&) noexcept = default;
+SeaQuery::~SeaQuery() = default;
+
+Result<SeaQuery> SeaQuery::create(const WavesInfo& info, double shortestWavelength) {
+  PELAGIC_CHECK(validate(info));
+  if (!(shortestWavelength >= 0 && shortestWavelength <= 1e4)) {
+    return gpu::reject("the shortest wavelength is " + std::to_string(shortestWavelength) +
+                       " m, it must lie in 0 … 10000 m");
+  }
+  return SeaQuery(std::make_unique<Impl>(info, shortestWavelength));
+}
+
+Result<void> SeaQuery::setSea(const SeaState& sea) {
+  PELAGIC_CHECK(validate(sea));
+  impl_->build(sea);
+  return {};
+}
+
+void SeaQuery::setTime(double time) noexcept {
+  if (time == impl_->time || !std::isfinite(time)) return;
+  impl_->time = time;
+  impl_->evolve();
+}
+
+namespace {
+
+bool onEarth(const glm::dvec2& point) noexcept {
+  return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // false for NaN
+}
+
+}  // namespace
+
+SurfacePoint SeaQuery::at(const glm::dvec2& point) const noexcept {
+  if (onEarth(point)) return impl_->surfaceAt(point);
+  SurfacePoint none;
+  none.position = glm::dvec3(point.x, std::nan(""), point.y);
+  return none;
+}
+
+double SeaQuery::heightAt(const glm::dvec2& point) const noexcept {
+  return onEarth(point) ? impl_->heightAt(point) : std::nan("");
+}
+
+std::optional<SurfacePoint> SeaQuery::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                double reach) const noexcept {
+  const Impl& sea = *impl_;
+  const double length = glm::length(direction);
+  if (!(length > 0 && std::isfinite(length) && reach >= 0 && std::isfinite(origin.y))) return {};
+  const glm::dvec3 d = direction / length;
+  const auto gap = [&](double t) {
+    const glm::dvec3 p = origin + t * d;
+    return p.y - sea.heightAt({p.x, p.z});
+  };
+  // No crest stands beyond `top`: outside the layer between -top and top there is nothing to meet.
+  const double top = 6 * sea.deviation + 1e-3;
+  double from = 0;
+  double to = std::min(reach, 2 * kFarthest);
+  if (std::abs(origin.y) > top) {
+    if (origin.y * d.y >= 0) return {};
+    from = (std::abs(origin.y) - top) / std::abs(d.y);
+  }
+  if (d.y != 0) to = std::min(to, ((d.y > 0 ? top : -top) - origin.y) / d.y);
+  // No face is steeper than `kSteepest` for longer than a step of half a cell.
+  constexpr double kSteepest = 1.5;
+  const double speed = std::abs(d.y) + kSteepest * std::hypot(d.x, d.z);
+  double t = from;
+  double g = gap(t);
+  const bool above = g >= 0;
+  while (t < to) {
+    const double next = std::min(t + std::max(std::abs(g) / speed, 0.5 * sea.shortest), to);
+    const double ahead = gap(next);
+    if (!std::isfinite(ahead)) return {};
+    if ((ahead >= 0) != above) {
+      double low = t;
+      double high = next;
+      for (int i = 0; i < 60 && high - low > 1e-9 * (1 + high); ++i) {
+        const double middle = 0.5 * (low + high);
+        ((gap(middle) >= 0) == above ? low : high) = middle;
+      }
+      const glm::dvec3 hit = origin + high * d;
+      return at({hit.x, hit.z});
+    }
+    t = next;
+    g = ahead;
+  }
+  return {};
+}
+
+}  // namespace pelagic

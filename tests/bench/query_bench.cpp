@@ -1,0 +1,49 @@
+#include <chrono>
+#include <pelagic/query.hpp>
+#include <random>
+
+#include "bench.hpp"
+
+namespace bench {
+
+namespace {
+
+constexpr std::size_t kPoints = 10000;
+constexpr double kShortest = 1;  // [m]
+
+/// `move`: every iteration is at a new time, for which the sea is transformed first.
+void run(benchmark::State& state, bool move, std::vector<double>& samples) {
+  pelagic::WavesInfo info;
+  info.layout = require(pelagic::waveLayout(info.sea));
+  pelagic::SeaQuery query = require(pelagic::SeaQuery::create(info, kShortest));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-1e3, 1e3);
+  std::vector<glm::dvec2> points(kPoints);
+  for (glm::dvec2& point : points) point = {place(random), place(random)};
+  double time = 0;
+  double sum = 0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    if (move) query.setTime(time += 1.0 / 60);
+    for (const glm::dvec2& point : points) sum += query.heightAt(point);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    samples.push_back(seconds.count() * 1e3);
+    state.SetIterationTime(seconds.count());
+  }
+  benchmark::DoNotOptimize(sum);
+}
+
+}  // namespace
+
+/// Heights on one core, of waves of a metre and more.
+void addQueries(Results& results) {
+  for (const bool move : {false, true}) {
+    const std::string name = "Query/cpu/" + std::to_string(kPoints) + (move ? "/new-time" : "");
+    benchmark::RegisterBenchmark(
+        name.c_str(), [&results, move, name](benchmark::State& state) { run(state, move, results.start(name)); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace bench
