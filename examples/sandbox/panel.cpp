@@ -131,6 +131,10 @@ void drawWater(pelagic::WaterMedium& medium, Changes& changes) {
 
 void drawReport(const pelagic::SeaReport& report, const std::vector<PassTime>& passes) {
   ImGui::Text("Hs %.2f m (grid %.2f m), Tp %.1f s", report.targetHeight, report.gridHeight, report.peakPeriod);
+  if (report.wavelengthsInPatch < 0.999 * pelagic::kLeastWavelengths) {
+    ImGui::Text("The patches are too short for this sea: %.1f peak wavelengths of %.0f", report.wavelengthsInPatch,
+                pelagic::kLeastWavelengths);
+  }
   ImGui::Text("Slopes up-wind %.4f, across %.4f", report.target.upwind, report.target.crosswind);
   ImGui::Text("Whitecaps %.2f %%", 100 * report.whitecaps);
   double total = 0;

@@ -79,13 +79,19 @@ struct WaveMaps {
 /// How long foam lives after a crest broke [s].
 inline constexpr double kFoamLifetime = 8;
 
+/// How many peak wavelengths of the longest train waveLayout() puts into the longest patch.
+inline constexpr double kLeastWavelengths = 8;
+
 /// What the sea asked for has become on the grid.
 struct SeaReport {
   double targetHeight = 0;  ///< Hs of the spectrum [m].
   double gridHeight = 0;    ///< Expected Hs of the grid's modes [m].
   double peakPeriod = 0;    ///< Tp [s].
-  SlopeVariance target;     ///< Cox & Munk [1].
-  SlopeVariance grid;       ///< Expected of the grid's modes [1].
+  /// Peak wavelengths of the longest train that fit into the longest patch [1]. Below kLeastWavelengths the layout is
+  /// too short for the sea: its longest waves are overstated, by 5 % of m0 at 3, by half at 1.
+  double wavelengthsInPatch = 0;
+  SlopeVariance target;  ///< Cox & Munk [1].
+  SlopeVariance grid;    ///< Expected of the grid's modes [1].
   SlopeVariance unresolved;
   double whitecaps = 0;  ///< Target whitecap fraction [1].
   /// Largest relative change of a mode's frequency by the loop period, pi / (T w) at most [1].

@@ -140,6 +140,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   report.targetHeight = significantWaveHeight(sea);
   report.gridHeight = 4 * grid.elevationDeviation;
   report.peakPeriod = peakPeriod(sea);
+  report.wavelengthsInPatch = layout.cascades[0].length / longestPeakWavelength(sea);
   report.target = coxMunkSlopes(sea.windSpeed);
   report.grid = alongWind(slopes, sea.windDirection);
   const SlopeVariance tail = slopeVariance(sea, layout.cascades[layout.count - 1].kMax, kShortestWave);

@@ -119,7 +119,7 @@ double tableLongestPeak(const SpectrumTable& table) noexcept {
   const std::size_t last = table.frequency.size() - 1;
   for (std::size_t i = 0; i < last; ++i) {
     const double density = entryDensity(table, i);
-    if (density >= 0.1 * largest && density > entryDensity(table, i + 1)) return kTwoPi * table.frequency[i];
+    if (density >= 0.1 * largest && density >= entryDensity(table, i + 1)) return kTwoPi * table.frequency[i];
   }
   return kTwoPi * table.frequency[last];
 }

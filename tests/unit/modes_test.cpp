@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "waves/modes.hpp"
+#include "waves/grid_sea.hpp"
 
 namespace {
 
@@ -64,21 +64,59 @@ TEST(Modes, MoveWaterSidewaysAsFarAsUpwardInDeepWaterAndFartherInShallow) {
   EXPECT_GT(ratioOf(), 0.7 / std::tanh(layout.cascades[0].kMax * sea.depth));
 }
 
+/// Seas of every spectrum and spreading.
+std::vector<SeaState> everySea() {
+  std::vector<SeaState> seas(7);
+  seas[0].windSpeed = 11;
+  seas[0].swell.push_back({1.2, 11, 1.0, 30});
+  seas[1].spectrum = Spectrum::elfouhaily;
+  seas[1].spreading = Spreading::elfouhaily;
+  seas[2].spectrum = Spectrum::table;
+  seas[2].spreading = Spreading::donelanBanner;
+  seas[2].table = {{0.05, 0.09, 0.15, 0.3, 0.5}, {}, {0, 12, 4, 0.5, 0.05}};
+  seas[3].spectrum = Spectrum::tma;
+  seas[3].depth = 7;
+  seas[3].spreading = Spreading::cos2;
+  seas[3].swellSharpening = 0.4;
+  seas[4].spectrum = Spectrum::piersonMoskowitz;
+  seas[4].spreading = Spreading::mitsuyasu;
+  seas[5].spectrum = Spectrum::phillips;
+  seas[5].octaveGain[7] = 0.5;
+  seas[6].spectrum = Spectrum::table;
+  seas[6].table = {{0.06, 0.1, 0.2}, {0, 1, 2, 3, 4, 5, 6}, std::vector<double>(21, 0.5)};
+  return seas;
+}
+
 TEST(Modes, SumToTheSpectrumsIntegrals) {
-  SeaState sea;
-  sea.windSpeed = 11;
-  sea.swell.push_back({1.2, 11, 1.0, 30});
-  const WaveLayout layout = layoutOf(sea);
-  double elevation = 0, slopes = 0;
-  for (std::uint32_t c = 0; c < layout.count; ++c) {
-    const CascadeMoments moments = momentsOf(makeModes(sea, layout, c, 4194304), layout.cascades[c], layout.size);
-    elevation += moments.elevation;
-    slopes += moments.slopes.x + moments.slopes.y;
+  for (const SeaState& sea : everySea()) {
+    ASSERT_TRUE(validate(sea));
+    const WaveLayout layout = layoutOf(sea);
+    double elevation = 0, slopes = 0;
+    for (std::uint32_t c = 0; c < layout.count; ++c) {
+      const CascadeMoments moments = momentsOf(makeModes(sea, layout, c, 4194304), layout.cascades[c], layout.size);
+      elevation += moments.elevation;
+      slopes += moments.slopes.x + moments.slopes.y;
+    }
+    const double kMax = layout.cascades[layout.count - 1].kMax;
+    const int kind = static_cast<int>(sea.spectrum);
+    EXPECT_NEAR(elevation / elevationVariance(sea, 0, kMax), 1, 0.01) << "spectrum " << kind;
+    const SlopeVariance expected = slopeVariance(sea, 0, kMax);
+    EXPECT_NEAR(slopes / (expected.upwind + expected.crosswind), 1, 0.01) << "spectrum " << kind;
   }
-  const double kMax = layout.cascades[layout.count - 1].kMax;
-  EXPECT_NEAR(elevation / elevationVariance(sea, 0, kMax), 1, 0.01);
-  const SlopeVariance expected = slopeVariance(sea, 0, kMax);
-  EXPECT_NEAR(slopes / (expected.upwind + expected.crosswind), 1, 0.01);
+}
+
+TEST(GridSea, SaysWhenThePatchesAreTooShort) {
+  WavesInfo info;
+  info.layout = layoutOf(info.sea, 2, 64);
+  const SeaReport fits = makeGridSea(info.sea, info).report;
+  EXPECT_NEAR(fits.wavelengthsInPatch, kLeastWavelengths, 1e-9);
+  EXPECT_NEAR(fits.gridHeight / fits.targetHeight, 1, 0.03);  // two small cascades end at 2.5 m
+  SeaState storm;
+  storm.windSpeed = 25;
+  storm.fetch = 1e7;
+  const SeaReport tooShort = makeGridSea(storm, info).report;
+  EXPECT_NEAR(tooShort.wavelengthsInPatch, 8 * longestPeakWavelength(info.sea) / longestPeakWavelength(storm), 1e-9);
+  EXPECT_LT(tooShort.wavelengthsInPatch, 1);
 }
 
 TEST(Modes, AmplitudesAreGaussianWithTheExpectedVariance) {
