@@ -204,6 +204,7 @@ pelagic::DeviceInfo GpuDevice::info() const {
   info.device = *device_;
   info.queueFamily = queueFamily_;
   info.getInstanceProcAddr = vkGetInstanceProcAddr;
+  info.debugUtils = static_cast<bool>(messenger_);
   return info;
 }
 

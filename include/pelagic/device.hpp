@@ -14,7 +14,7 @@ struct Context;
 
 /// The host's handles. All of them must outlive the Device and everything created from it.
 struct DeviceInfo {
-  /// Created with apiVersion >= 1.3. Object names are set when it has VK_EXT_debug_utils enabled.
+  /// Created with apiVersion >= 1.3.
   VkInstance instance = VK_NULL_HANDLE;
   /// Vulkan >= 1.3.
   VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
@@ -25,6 +25,9 @@ struct DeviceInfo {
   PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
   /// Optional; used for every Vulkan object that Pelagic creates.
   const VkAllocationCallbacks* allocator = nullptr;
+  /// Whether the instance was created with VK_EXT_debug_utils, which Vulkan itself does not tell: every object then
+  /// gets a name for debuggers and validation messages.
+  bool debugUtils = false;
   /// Optional; makes later starts faster.
   VkPipelineCache pipelineCache = VK_NULL_HANDLE;
 };

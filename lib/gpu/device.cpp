@@ -133,7 +133,7 @@ Result<Device> Device::create(const DeviceInfo& info) {
     context->hasAllocator = true;
   }
   context->dispatch.init(info.instance, info.getInstanceProcAddr, info.device);
-  context->namesObjects = context->dispatch.vkSetDebugUtilsObjectNameEXT != nullptr;
+  context->namesObjects = info.debugUtils && context->dispatch.vkSetDebugUtilsObjectNameEXT != nullptr;
   vk::PhysicalDeviceProperties2 properties;
   context->physicalDevice.getProperties2(&properties, context->dispatch);
   context->properties = properties.properties;
