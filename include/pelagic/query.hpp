@@ -30,13 +30,14 @@ class SeaQuery {
 
   /// Replaces the sea, as Waves::setSea(); the time stays. On error nothing changes.
   Result<void> setSea(const SeaState& sea);
-  /// Transforms the sea to `time` [s], any finite value in any order; free when it is the current one. Starts at 0.
+  /// Transforms the sea to `time` [s], any finite value in any order; free when it is the current one. Others change
+  /// nothing. Starts at 0.
   void setTime(double time) noexcept;
 
   /// The surface vertically over or under (x, z) [m], finite, |x| and |z| <= 1e9. Where the surface folds over, the
   /// sheet that Newton's iteration reaches from the point itself.
   SurfacePoint at(const glm::dvec2& point) const noexcept;
-  /// Height alone [m], in a third of the time.
+  /// Height alone [m], which is cheaper.
   double heightAt(const glm::dvec2& point) const noexcept;
   /// First point where a ray meets the surface, from above or below, within `reach` [m] of its origin. `direction` need
   /// not be of unit length. None also when it is 0 or anything is not finite.

@@ -64,7 +64,8 @@ struct SeaState {
   Spectrum spectrum = Spectrum::jonswap;
   Spreading spreading = Spreading::hasselmann;
   /// Narrows the wind sea toward swell, most of all its long waves: adds 16 tanh(w_p/w) xi^2 to the exponent s of
-  /// cos^2s of half the angle, or multiplies another spreading by such a cosine; xi, 0 … 1 (Horvath 2015).
+  /// cos^2s of half the angle, or multiplies another spreading by such a cosine; not the directions of a table; xi, 0 …
+  /// 1 (Horvath 2015).
   double swellSharpening = 0;
   SpectrumTable table;  ///< With Spectrum::table; fetch is not used then.
   /// For artists: factor on the amplitude of waves about 512, 256, … 0.25 m long, linear over the octaves between, the

@@ -7,10 +7,6 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-int modeOf(std::uint32_t i, std::uint32_t size) noexcept {
-  return static_cast<int>(i) - (i >= size / 2 ? static_cast<int>(size) : 0);
-}
-
 /// std::floor() is a call where the processor is not known to round.
 std::int64_t floorOf(double x) noexcept {
   const auto whole = static_cast<std::int64_t>(x);
@@ -22,12 +18,9 @@ glm::vec2 timesI(const glm::vec2& z) noexcept { return {-z.y, z.x}; }
 }  // namespace
 
 CpuLattice::CpuLattice(const SeaState& sea, const WavesInfo& info, std::uint32_t cascade, double kMax)
-    : size_(info.layout.size),
-      length_(info.layout.cascades[cascade].length),
-      density_(size_ / length_),
-      loopPeriod_(info.loopPeriod) {
+    : size_(info.layout.size), density_(size_ / info.layout.cascades[cascade].length), loopPeriod_(info.loopPeriod) {
   const CascadeModes all = makeModes(sea, info.layout, cascade, info.loopPeriod);
-  const double dk = kTwoPi / length_;
+  const double dk = kTwoPi / info.layout.cascades[cascade].length;
   for (std::uint32_t row = 0; row < size_; ++row) {
     for (std::uint32_t column = 0; column < size_; ++column) {
       const std::uint32_t index = row * size_ + column;
@@ -50,38 +43,26 @@ CpuLattice::CpuLattice(const SeaState& sea, const WavesInfo& info, std::uint32_t
   }
 }
 
-/// Spectrum of a real field from the elevation's: D = i (k/k) coth(kh) choppiness h, derivatives by i k.
-glm::vec2 CpuLattice::field(const Mode& m, Field field) noexcept {
-  const float w2 = m.frequency * m.frequency;
-  switch (field) {
-    case Field::dx:
-      return timesI(m.elevation) * (m.chop * m.kx);
-    case Field::h:
-      return m.elevation;
-    case Field::dz:
-      return timesI(m.elevation) * (m.chop * m.kz);
-    case Field::dzdx:
-      return m.elevation * (-m.chop * m.kz * m.kx);
-    case Field::hx:
-      return timesI(m.elevation) * m.kx;
-    case Field::hz:
-      return timesI(m.elevation) * m.kz;
-    case Field::dxdx:
-      return m.elevation * (-m.chop * m.kx * m.kx);
-    case Field::dzdz:
-      return m.elevation * (-m.chop * m.kz * m.kz);
-    case Field::vx:
-      return timesI(m.rate) * (m.chop * m.kx);
-    case Field::vh:
-      return m.rate;
-    case Field::vz:
-      return timesI(m.rate) * (m.chop * m.kz);
-    case Field::ax:
-      return timesI(m.elevation) * (-w2 * m.chop * m.kx);
-    case Field::ah:
-      return m.elevation * -w2;
-    case Field::az:
-      return timesI(m.elevation) * (-w2 * m.chop * m.kz);
+/// Spectrum of a real field from that of the elevation or of its rate: D = i (k/k) coth(kh) choppiness h, derivatives
+/// by i k.
+glm::vec2 CpuLattice::apply(Operator wanted, const Mode& m, const glm::vec2& h) noexcept {
+  switch (wanted) {
+    case Operator::height:
+      return h;
+    case Operator::dx:
+      return timesI(h) * (m.chop * m.kx);
+    case Operator::dz:
+      return timesI(h) * (m.chop * m.kz);
+    case Operator::hx:
+      return timesI(h) * m.kx;
+    case Operator::hz:
+      return timesI(h) * m.kz;
+    case Operator::dxdx:
+      return h * (-m.chop * m.kx * m.kx);
+    case Operator::dzdz:
+      return h * (-m.chop * m.kz * m.kz);
+    case Operator::dzdx:
+      return h * (-m.chop * m.kz * m.kx);
   }
   return {};
 }
@@ -98,34 +79,42 @@ void CpuLattice::evolve(double time, const InverseFft& fft, ComplexPlane& plane,
     const glm::vec2 backward(a.z * e.x - a.w * e.y, a.w * e.x + a.z * e.y);  // conj h0(-k) e^{+i w t}
     mode.elevation = forward + backward;
     mode.rate = timesI(backward - forward) * mode.frequency;
+    mode.acceleration = mode.elevation * (-mode.frequency * mode.frequency);
   }
-  struct Pair {
-    Field first, second;  // the real and the imaginary part of one transform
+  // Two real fields ride in one transform; each has a channel of a map.
+  struct Field {
+    glm::vec2 Mode::*source;
+    Operator of;
     std::vector<glm::vec4>* map;
-    int channel;  // of the first
+    int channel;
   };
-  using F = Field;
+  using O = Operator;
+  const auto height = &Mode::elevation;
+  const auto rate = &Mode::rate;
+  const auto acceleration = &Mode::acceleration;
   LatticeTexels& t = texels_;
-  const Pair pairs[] = {{F::dx, F::h, &t.displacement, 0}, {F::dz, F::dzdx, &t.displacement, 2},
-                        {F::hx, F::hz, &t.gradient, 0},    {F::dxdx, F::dzdz, &t.gradient, 2},
-                        {F::vx, F::vh, &t.velocity, 0},    {F::ax, F::ah, &t.acceleration, 0},
-                        {F::vz, F::az, &t.velocity, 2}};
-  for (const Pair& pair : pairs) {
+  const Field pairs[][2] = {{{height, O::dx, &t.displacement, 0}, {height, O::height, &t.displacement, 1}},
+                            {{height, O::dz, &t.displacement, 2}, {height, O::dzdx, &t.displacement, 3}},
+                            {{height, O::hx, &t.gradient, 0}, {height, O::hz, &t.gradient, 1}},
+                            {{height, O::dxdx, &t.gradient, 2}, {height, O::dzdz, &t.gradient, 3}},
+                            {{rate, O::dx, &t.velocity, 0}, {rate, O::height, &t.velocity, 1}},
+                            {{acceleration, O::dx, &t.acceleration, 0}, {acceleration, O::height, &t.acceleration, 1}},
+                            {{rate, O::dz, &t.velocity, 2}, {acceleration, O::dz, &t.acceleration, 2}}};
+  for (const auto& [real, imaginary] : pairs) {
     std::fill(plane.re.begin(), plane.re.end(), 0.0f);
     std::fill(plane.im.begin(), plane.im.end(), 0.0f);
     for (const Mode& mode : modes_) {
-      const glm::vec2 sum = field(mode, pair.first) + timesI(field(mode, pair.second));
+      const glm::vec2 sum =
+          apply(real.of, mode, mode.*real.source) + timesI(apply(imaginary.of, mode, mode.*imaginary.source));
       plane.re[mode.index] = sum.x;
       plane.im[mode.index] = sum.y;
     }
     fft.transform(plane, scratch);
     for (std::size_t i = 0; i < plane.re.size(); ++i) {
-      (*pair.map)[i][pair.channel] = plane.re[i];
-      (*pair.map)[i][pair.channel + 1] = plane.im[i];
+      (*real.map)[i][real.channel] = plane.re[i];
+      (*imaginary.map)[i][imaginary.channel] = plane.im[i];
     }
   }
-  // The last pair's second field belongs to the other map.
-  for (std::size_t i = 0; i < plane.im.size(); ++i) t.acceleration[i].z = plane.im[i];
 }
 
 LatticePlace CpuLattice::placeOf(const glm::dvec2& point) const noexcept {

@@ -28,7 +28,7 @@ class CpuLattice {
  public:
   /// Modes with |k| > kMax are left out.
   CpuLattice(const SeaState& sea, const WavesInfo& info, std::uint32_t cascade, double kMax);
-  /// `planes`: two of N x N, contents unused.
+  /// Transforms to `time` [s]; `plane` and `scratch` are N x N, their contents unused.
   void evolve(double time, const InverseFft& fft, ComplexPlane& plane, ComplexPlane& scratch) noexcept;
 
   const LatticeTexels& texels() const noexcept { return texels_; }
@@ -37,21 +37,21 @@ class CpuLattice {
   double density() const noexcept { return density_; }
 
  private:
-  /// A mode that exists, and the two halves of its amplitude turned to the time.
+  /// A mode that exists, and what it is at the time.
   struct Mode {
     std::uint32_t index = 0, cycles = 0;
     float kx = 0, kz = 0;  ///< [rad/m]
     float chop = 0;        ///< As ModeConstants.
     float frequency = 0;   ///< Quantised [rad/s].
     glm::vec4 amplitude{0};
-    glm::vec2 elevation{0};  ///< h(k, t) [m].
-    glm::vec2 rate{0};       ///< dh/dt [m/s].
+    glm::vec2 elevation{0};     ///< h(k, t) [m].
+    glm::vec2 rate{0};          ///< dh/dt [m/s].
+    glm::vec2 acceleration{0};  ///< d2h/dt2 [m/s^2].
   };
-  enum class Field { dx, h, dz, dzdx, hx, hz, dxdx, dzdz, vx, vh, vz, ax, ah, az };
-  static glm::vec2 field(const Mode& mode, Field field) noexcept;
+  enum class Operator { height, dx, dz, hx, hz, dxdx, dzdz, dzdx };
+  static glm::vec2 apply(Operator wanted, const Mode& mode, const glm::vec2& h) noexcept;
 
   std::uint32_t size_;
-  double length_;
   double density_;
   double loopPeriod_;
   std::vector<Mode> modes_;

@@ -27,12 +27,11 @@ std::complex<double> randomAmplitude(std::uint64_t seed, std::uint32_t cascade, 
   return std::polar(std::sqrt(-std::log(u1)), kTwoPi * u2);
 }
 
-/// Signed mode number of index i in FFT order.
+}  // namespace
+
 int modeOf(std::uint32_t i, std::uint32_t size) noexcept {
   return static_cast<int>(i) - (i >= size / 2 ? static_cast<int>(size) : 0);
 }
-
-}  // namespace
 
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod) {
   const std::uint32_t n = layout.size;

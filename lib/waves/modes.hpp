@@ -8,6 +8,9 @@
 
 namespace pelagic {
 
+/// Signed mode number of index i in FFT order.
+int modeOf(std::uint32_t i, std::uint32_t size) noexcept;
+
 /// What the evolve pass knows of a mode besides its amplitude (16-byte std430 pairs of it and `amplitude` below).
 struct ModeConstants {
   std::uint32_t cycles = 0;  ///< n: the mode turns n times per loop period; 0 where the mode does not exist.

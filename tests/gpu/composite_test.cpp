@@ -248,6 +248,20 @@ TEST_F(CompositeTest, ErrorsNameTheField) {
   EXPECT_EQ(toneMap.error().message, "ToneMapInfo::input is null");
 }
 
+TEST_F(CompositeTest, ASkyWithoutItsLightIsRefused) {
+  const auto output =
+      common::createImage(gpu(), vk::Format::eR16G16B16A16Sfloat, {16, 16}, vk::ImageUsageFlagBits::eStorage, "output");
+  CompositeTargets targets;
+  targets.output = output.host(common::kUndefined, common::kTransferSource);
+  WaterBuffer water;
+  water.depth.extent = {16, 16};
+  auto composite = Composite::create(device());
+  ASSERT_TRUE(composite) << composite.error().message;
+  const auto view = CompositeView::create(*composite, {}, {}, water, targets);
+  ASSERT_FALSE(view);
+  EXPECT_EQ(view.error().message, "SkyMaps::light has 0 bytes, it must have at least 112");
+}
+
 class ToneMapTest : public support::GpuTest {
  protected:
   /// 8-bit values (RGBA, 0 … 255) of a picture of one radiance.

@@ -72,7 +72,7 @@ TEST_F(WaveQueryTest, AgreesWithTheMapsInFiveSeas) {
     }
     EXPECT_LT(worst, 1e-4 * height) << "wind " << sea.windSpeed;
     // Only where the surface folds, which is where it breaks, is there no single point over a place.
-    EXPECT_LT(missed, kPoints / 20) << "wind " << sea.windSpeed;
+    EXPECT_LE(missed, kPoints / 1000) << "wind " << sea.windSpeed;
     RecordProperty("missed_" + std::to_string(static_cast<int>(sea.windSpeed)), missed);
   }
 }
