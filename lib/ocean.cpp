@@ -38,7 +38,9 @@ Result<Ocean> Ocean::create(Device& device, const OceanInfo& info) {
       Impl{std::move(waves), std::move(sky), std::move(surface), std::move(composite), info.medium}));
 }
 
-Result<void> Ocean::setSea(const SeaState& sea) { return impl_->waves.setSea(sea); }
+Result<void> Ocean::setSea(const SeaState& sea, const SeaTransition& transition) {
+  return impl_->waves.setSea(sea, transition);
+}
 Result<void> Ocean::setSky(const SkyState& sky) { return impl_->sky.setState(sky); }
 
 Result<void> Ocean::setMedium(const WaterMedium& medium) {

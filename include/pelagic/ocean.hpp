@@ -23,7 +23,7 @@ class Ocean {
   ~Ocean();
 
   /// Each takes effect with the next record(). On error nothing changes.
-  Result<void> setSea(const SeaState& sea);
+  Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
   Result<void> setSky(const SkyState& sky);
   Result<void> setMedium(const WaterMedium& medium);
 

@@ -29,7 +29,7 @@ class SeaQuery {
   ~SeaQuery();
 
   /// Replaces the sea, as Waves::setSea(); the time stays. On error nothing changes.
-  Result<void> setSea(const SeaState& sea);
+  Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
   /// Transforms the sea to `time` [s], any finite value in any order; free when it is the current one. Others change
   /// nothing. Starts at 0.
   void setTime(double time) noexcept;

@@ -77,6 +77,14 @@ struct SeaState {
   std::uint64_t seed = 1;  ///< Any; the same seed gives the same sea on every machine.
 };
 
+/// When a new sea takes over. From `start` on its amplitudes grow as those of the old one fade, with the same random
+/// numbers and phases, along a polynomial without a jump in speed or acceleration; before that the sea is the old one,
+/// after it the new one alone, at whatever time one looks.
+struct SeaTransition {
+  double start = 0;    ///< On the clock of record() [s], finite.
+  double seconds = 0;  ///< 0 … 1e6 [s]; 0: the new sea is there at once and at all times.
+};
+
 /// Checks every field. The error names the field, its value and its range.
 Result<void> validate(const SeaState& sea);
 

@@ -107,8 +107,9 @@ class Waves {
   ~Waves();
 
   /// Replaces the sea; lengths, random numbers and phases stay, modes are re-weighted. Takes effect with the next
-  /// record(). CPU work only. On error nothing changes.
-  Result<void> setSea(const SeaState& sea);
+  /// record(), over the time of `transition`. A sea that is still changing when the transition starts is held as it is
+  /// then, and goes on from there. CPU work only. On error nothing changes.
+  Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
   /// Records the whole stage for `time` [s] (any finite value, any order); not within rendering. Before: the maps rest
   /// in kShaderRead; after: again, with the new sea visible to every later shader read on the queue.
   void record(VkCommandBuffer commands, double time, Timings* timings = nullptr) noexcept;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <waves/fft.hpp>
-#include <waves/modes.hpp>
+#include <waves/sea_change.hpp>
 
 namespace pelagic {
 
@@ -27,9 +27,10 @@ struct LatticePlace {
 class CpuLattice {
  public:
   /// Modes with |k| > kMax are left out.
-  CpuLattice(const SeaState& sea, const WavesInfo& info, std::uint32_t cascade, double kMax);
-  /// Transforms to `time` [s]; `plane` and `scratch` are N x N, their contents unused.
-  void evolve(double time, const InverseFft& fft, ComplexPlane& plane, ComplexPlane& scratch) noexcept;
+  CpuLattice(const SeaChange& sea, const WavesInfo& info, std::uint32_t cascade, double kMax);
+  /// Transforms to `time` [s], with the later sea's `share`; `plane` and `scratch` are N x N, their contents unused.
+  void evolve(double time, const Share& share, const InverseFft& fft, ComplexPlane& plane,
+              ComplexPlane& scratch) noexcept;
 
   const LatticeTexels& texels() const noexcept { return texels_; }
   LatticePlace placeOf(const glm::dvec2& point) const noexcept;
@@ -37,23 +38,36 @@ class CpuLattice {
   double density() const noexcept { return density_; }
 
  private:
+  /// A mode of one sea.
+  struct Wave {
+    std::uint32_t cycles = 0;
+    float chop = 0;       ///< As ModeConstants.
+    float frequency = 0;  ///< Quantised [rad/s].
+    glm::vec4 amplitude{0};
+  };
+  /// Spectrum h(k) of the elevation or of one of its derivatives in time, and chop times it.
+  struct Spectral {
+    glm::vec2 h{0};
+    glm::vec2 chop{0};
+  };
   /// A mode that exists, and what it is at the time.
   struct Mode {
-    std::uint32_t index = 0, cycles = 0;
+    std::uint32_t index = 0;
     float kx = 0, kz = 0;  ///< [rad/m]
-    float chop = 0;        ///< As ModeConstants.
-    float frequency = 0;   ///< Quantised [rad/s].
-    glm::vec4 amplitude{0};
-    glm::vec2 elevation{0};     ///< h(k, t) [m].
-    glm::vec2 rate{0};          ///< dh/dt [m/s].
-    glm::vec2 acceleration{0};  ///< d2h/dt2 [m/s^2].
+    Wave after, before;
+    Spectral elevation;     ///< [m]
+    Spectral rate;          ///< d/dt [m/s]
+    Spectral acceleration;  ///< d2/dt2 [m/s^2]
   };
   enum class Operator { height, dx, dz, hx, hz, dxdx, dzdz, dzdx };
-  static glm::vec2 apply(Operator wanted, const Mode& mode, const glm::vec2& h) noexcept;
+  static glm::vec2 apply(Operator wanted, const Mode& mode, const Spectral& of) noexcept;
+  /// Adds one sea's part of a mode with a weight that itself changes.
+  static void add(const Wave& wave, std::uint64_t fraction, const Share& share, Mode& mode) noexcept;
 
   std::uint32_t size_;
   double density_;
   double loopPeriod_;
+  bool changing_;
   std::vector<Mode> modes_;
   LatticeTexels texels_;
 };

@@ -116,29 +116,25 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   grid.sea = sea;
   std::array<JacobianSpread, kMaxCascades> spreads{};
   glm::dvec3 slopes(0);
-  double elevation = 0;
-  double horizontal = 0;
   for (std::uint32_t c = 0; c < layout.count; ++c) {
     const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);
     grid.amplitudes.insert(grid.amplitudes.end(), modes.amplitude.begin(), modes.amplitude.end());
     grid.constants.insert(grid.constants.end(), modes.constants.begin(), modes.constants.end());
-    grid.slopeCovariance[c] = moments.slopes;
+    grid.moments.slopes[c] = moments.slopes;
+    grid.moments.elevation += moments.elevation;
+    grid.moments.horizontal += moments.horizontal;
     grid.cascades[c].waveNumberStep = static_cast<float>(kTwoPi / layout.cascades[c].length);
     grid.cascades[c].heightScale = heightScale(moments);
     spreads[c] = jacobianSpread(modes, layout.cascades[c], layout.size, info.loopPeriod);
     grid.report.frequencyError = std::max(
         grid.report.frequencyError, frequencyError(modes, layout.cascades[c], layout.size, sea.depth, info.loopPeriod));
     slopes += moments.slopes;
-    elevation += moments.elevation;
-    horizontal += moments.horizontal;
   }
-  grid.elevationDeviation = std::sqrt(elevation);
-  grid.horizontalDeviation = std::sqrt(horizontal);
 
   SeaReport& report = grid.report;
   report.targetHeight = significantWaveHeight(sea);
-  report.gridHeight = 4 * grid.elevationDeviation;
+  report.gridHeight = 4 * std::sqrt(grid.moments.elevation);
   report.peakPeriod = peakPeriod(sea);
   report.wavelengthsInPatch = layout.cascades[0].length / longestPeakWavelength(sea);
   report.target = coxMunkSlopes(sea.windSpeed);

@@ -7,15 +7,21 @@
 
 namespace pelagic {
 
+/// Expected of all modes together: elevation [m^2], length of the horizontal displacement [m^2], and for each cascade
+/// the slope covariance (xx, zz, xz) [1].
+struct SeaMoments {
+  double elevation = 0;
+  double horizontal = 0;
+  std::array<glm::dvec3, kMaxCascades> slopes{};
+};
+
 struct GridSea {
   SeaState sea;
   /// Of all cascades, one after the other; see CascadeModes.
   std::vector<glm::vec4> amplitudes;
   std::vector<ModeConstants> constants;
   std::array<shader::WaveCascade, kMaxCascades> cascades{};
-  std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
-  double elevationDeviation = 0;
-  double horizontalDeviation = 0;
+  SeaMoments moments;
   SeaReport report;
 };
 

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <pelagic/query.hpp>
 #include <waves/cpu_lattice.hpp>
-#include <waves/grid_sea.hpp>
 
 namespace pelagic {
 namespace {
@@ -50,6 +49,7 @@ struct SeaQuery::Impl {
   WavesInfo info;
   double kMax = 0;
   double time = 0;
+  SeaChange sea;
   double deviation = 0;  ///< Of the elevation [m].
   double shortest = 0;   ///< Length of the finest cell [m].
   std::vector<CpuLattice> lattices;
@@ -57,7 +57,7 @@ struct SeaQuery::Impl {
   ComplexPlane plane, scratch;
 
   Impl(const WavesInfo& wanted, double shortestWavelength);
-  void build(const SeaState& sea);
+  void build(SeaChange change);
   void evolve() noexcept;
   Found find(const glm::dvec2& point) const noexcept;
   glm::dvec4 sum(std::vector<glm::vec4> LatticeTexels::*map, const glm::dvec2& point) const noexcept;
@@ -71,26 +71,26 @@ SeaQuery::Impl::Impl(const WavesInfo& wanted, double shortestWavelength)
       fft(wanted.layout.size) {
   const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
   for (auto* part : {&plane.re, &plane.im, &scratch.re, &scratch.im}) part->resize(count);
-  build(info.sea);
+  SeaChange first;
+  first.after = makeGridSea(info.sea, info);
+  build(std::move(first));
 }
 
-void SeaQuery::Impl::build(const SeaState& sea) {
+void SeaQuery::Impl::build(SeaChange change) {
   std::vector<CpuLattice> built;
-  double variance = 0;
   for (std::uint32_t c = 0; c < info.layout.count && info.layout.cascades[c].kMin < kMax; ++c) {
-    const Cascade& cascade = info.layout.cascades[c];
-    built.emplace_back(sea, info, c, kMax);
-    variance += elevationVariance(sea, cascade.kMin, std::min(cascade.kMax, kMax));
+    built.emplace_back(change, info, c, kMax);
   }
   lattices = std::move(built);
-  info.sea = sea;
-  deviation = std::sqrt(variance);
+  sea = std::move(change);
+  deviation = std::sqrt(std::max(sea.after.moments.elevation, sea.before.moments.elevation));
   shortest = lattices.empty() ? 1 : 1 / lattices.back().density();
   evolve();
 }
 
 void SeaQuery::Impl::evolve() noexcept {
-  for (CpuLattice& lattice : lattices) lattice.evolve(time, fft, plane, scratch);
+  const Share share = sea.share(time);
+  for (CpuLattice& lattice : lattices) lattice.evolve(time, share, fft, plane, scratch);
 }
 
 Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
@@ -150,9 +150,10 @@ Result<SeaQuery> SeaQuery::create(const WavesInfo& info, double shortestWaveleng
   return SeaQuery(std::make_unique<Impl>(info, shortestWavelength));
 }
 
-Result<void> SeaQuery::setSea(const SeaState& sea) {
+Result<void> SeaQuery::setSea(const SeaState& sea, const SeaTransition& transition) {
   PELAGIC_CHECK(validate(sea));
-  impl_->build(sea);
+  PELAGIC_CHECK(validate(transition));
+  impl_->build(changeSea(impl_->sea, makeGridSea(sea, impl_->info), transition, impl_->info));
   return {};
 }
 

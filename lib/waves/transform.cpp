@@ -108,10 +108,10 @@ Result<void> WaveTransform::createBuffers(gpu::Context& context, const WavesInfo
     return {};
   };
   const vk::BufferUsageFlags modes = Usage::eUniformTexelBuffer | Usage::eTransferDst;
-  PELAGIC_CHECK(create(cascades_, "waves cascades", sizeof(shader::WaveCascade) * kMaxCascades,
+  PELAGIC_CHECK(create(cascades_, "waves cascades", 2 * sizeof(shader::WaveCascade) * kMaxCascades,
                        Usage::eStorageBuffer | Usage::eTransferDst));
-  PELAGIC_CHECK(create(amplitudes_, "waves amplitudes", sizeof(glm::vec4) * texels, modes));
-  PELAGIC_CHECK(create(constants_, "waves mode constants", sizeof(ModeConstants) * texels, modes));
+  PELAGIC_CHECK(create(amplitudes_, "waves amplitudes", 2 * sizeof(glm::vec4) * texels, modes));
+  PELAGIC_CHECK(create(constants_, "waves mode constants", 2 * sizeof(ModeConstants) * texels, modes));
   PELAGIC_CHECK(create(planes_, "waves rows", 2 * sizeof(glm::vec4) * texels,
                        Usage::eUniformTexelBuffer | Usage::eStorageBuffer));
   const vk::DeviceSize history = vk::DeviceSize{size_} * size_ * foamCascades_ * sizeof(std::uint32_t);
@@ -146,36 +146,34 @@ Result<void> WaveTransform::createPasses(gpu::Context& context, const WavesInfo&
                                        {1, DescriptorType::eStorageBuffer},
                                        {2, DescriptorType::eStorageBuffer},
                                        {3, DescriptorType::eStorageBuffer}};
-  const std::uint32_t bothPlanes[] = {threads, rowsPerGroup_, band_, 2};
-  const std::uint32_t onePlane[] = {threads, rowsPerGroup_, band_, 1};
   const std::uint32_t column[] = {columnsPerGroup_, threads, band_};
-  PELAGIC_TRY(rows, gpu::ComputePass::create(context, {"waves evolve rows", shaders::waves_rows, rowBindings,
-                                                       sizeof(shader::WaveRowsPush), bothPlanes}));
-  PELAGIC_TRY(foamRows, gpu::ComputePass::create(context, {"waves foam rows", shaders::waves_rows, rowBindings,
-                                                           sizeof(shader::WaveRowsPush), onePlane}));
+  for (std::uint32_t changing = 0; changing < 2; ++changing) {
+    const std::uint32_t bothPlanes[] = {threads, rowsPerGroup_, band_, 2, changing};
+    const std::uint32_t onePlane[] = {threads, rowsPerGroup_, band_, 1, changing};
+    PELAGIC_TRY(rows, gpu::ComputePass::create(context, {"waves evolve rows", shaders::waves_rows, rowBindings,
+                                                         sizeof(shader::WaveRowsPush), bothPlanes}));
+    PELAGIC_TRY(foamRows, gpu::ComputePass::create(context, {"waves foam rows", shaders::waves_rows, rowBindings,
+                                                             sizeof(shader::WaveRowsPush), onePlane}));
+    rows_[changing] = std::move(rows);
+    foamRows_[changing] = std::move(foamRows);
+  }
   PELAGIC_TRY(columns, gpu::ComputePass::create(context, {"waves columns", shaders::waves_columns, columnBindings,
                                                           sizeof(shader::WaveColumnsPush), column}));
   PELAGIC_TRY(foam, gpu::ComputePass::create(context, {"waves foam", shaders::waves_foam, foamBindings,
                                                        sizeof(shader::WaveFoamPush), column}));
-  rows_ = std::move(rows);
-  foamRows_ = std::move(foamRows);
   columns_ = std::move(columns);
   foam_ = std::move(foam);
   return {};
 }
 
 Result<void> WaveTransform::createSets(const WaveImages& images) {
-  const auto rowSet = [&](const gpu::ComputePass& pass, gpu::DescriptorSet& target) -> Result<void> {
-    PELAGIC_TRY(set, pass.createSet("waves rows"));
-    set.texelBuffer(0, *amplitudesView_);
-    set.texelBuffer(1, *constantsView_);
-    set.buffer(2, cascades_.handle());
-    set.buffer(3, planes_.handle());
-    target = std::move(set);
-    return {};
-  };
-  PELAGIC_CHECK(rowSet(rows_, rowsSet_));
-  PELAGIC_CHECK(rowSet(foamRows_, foamRowsSet_));
+  // The row passes have one layout, so that one set fits them all.
+  PELAGIC_TRY(rows, rows_[0].createSet("waves rows"));
+  rows.texelBuffer(0, *amplitudesView_);
+  rows.texelBuffer(1, *constantsView_);
+  rows.buffer(2, cascades_.handle());
+  rows.buffer(3, planes_.handle());
+  rowsSet_ = std::move(rows);
   for (std::uint32_t newest = 0; newest < 2; ++newest) {
     for (std::uint32_t target = 0; target < 2; ++target) {
       PELAGIC_TRY(set, columns_.createSet("waves columns"));
@@ -198,14 +196,17 @@ Result<void> WaveTransform::createSets(const WaveImages& images) {
   return {};
 }
 
-void WaveTransform::upload(vk::CommandBuffer commands, const GridSea& sea, std::uint32_t slot) noexcept {
+void WaveTransform::upload(vk::CommandBuffer commands, const SeaChange& sea, std::uint32_t slot) noexcept {
   const gpu::Buffer& staging = staging_[slot];
   auto* bytes = static_cast<std::byte*>(staging.mapped());
   vk::DeviceSize offset = 0;
-  const auto copy = [&](const gpu::Buffer& target, const void* source) {
-    std::memcpy(bytes + offset, source, target.size());
-    commands.copyBuffer(staging.handle(), target.handle(), vk::BufferCopy(offset, 0, target.size()),
-                        context_->dispatch);
+  // The sea that comes, and behind it the one that goes.
+  const auto copy = [&](const gpu::Buffer& target, const auto& after, const auto& before) {
+    const vk::DeviceSize half = target.size() / 2;
+    std::memcpy(bytes + offset, after.data(), half);
+    if (!before.empty()) std::memcpy(bytes + offset + half, before.data(), half);
+    commands.copyBuffer(staging.handle(), target.handle(),
+                        vk::BufferCopy(offset, 0, before.empty() ? half : target.size()), context_->dispatch);
     offset += target.size();
   };
   gpu::Barrier()
@@ -213,9 +214,9 @@ void WaveTransform::upload(vk::CommandBuffer commands, const GridSea& sea, std::
       .buffer(amplitudes_, gpu::kTransferWrite)
       .buffer(constants_, gpu::kTransferWrite)
       .record(*context_, commands);
-  copy(cascades_, sea.cascades.data());
-  copy(amplitudes_, sea.amplitudes.data());
-  copy(constants_, sea.constants.data());
+  copy(cascades_, sea.after.cascades, sea.before.cascades);
+  copy(amplitudes_, sea.after.amplitudes, sea.before.amplitudes);
+  copy(constants_, sea.after.constants, sea.before.constants);
   gpu::Barrier()
       .buffer(cascades_, gpu::kComputeRead)
       .buffer(amplitudes_, kTexelRead)
@@ -223,38 +224,38 @@ void WaveTransform::upload(vk::CommandBuffer commands, const GridSea& sea, std::
       .record(*context_, commands);
 }
 
-void WaveTransform::recordRowPass(vk::CommandBuffer commands, const gpu::ComputePass& pass,
-                                  const gpu::DescriptorSet& set, std::uint32_t cascades,
-                                  std::uint64_t fraction) noexcept {
+void WaveTransform::recordRowPass(vk::CommandBuffer commands, const gpu::ComputePass& pass, std::uint32_t cascades,
+                                  const SeaMoment& moment) noexcept {
   gpu::Barrier().buffer(planes_, gpu::kComputeWrite).record(*context_, commands);
-  pass.bind(commands, set);
-  pass.push(commands,
-            shader::WaveRowsPush{static_cast<std::uint32_t>(fraction >> 32), static_cast<std::uint32_t>(fraction)});
+  pass.bind(commands, rowsSet_);
+  pass.push(commands, shader::WaveRowsPush{static_cast<std::uint32_t>(moment.fraction >> 32),
+                                           static_cast<std::uint32_t>(moment.fraction), moment.share});
   pass.dispatch(commands, 1, gpu::groups(2 * band_, rowsPerGroup_), cascades);
   gpu::Barrier().buffer(planes_, kTexelRead).record(*context_, commands);
 }
 
-void WaveTransform::recordFoamTick(vk::CommandBuffer commands, std::uint64_t fraction, bool keep) noexcept {
-  recordRowPass(commands, foamRows_, foamRowsSet_, foamCascades_, fraction);
+void WaveTransform::recordFoamTick(vk::CommandBuffer commands, const SeaMoment& moment, bool keep) noexcept {
+  recordRowPass(commands, foamRows_[moment.changing], foamCascades_, moment);
   gpu::Buffer& after = history_[1 - newest_];
   gpu::Barrier()
       .buffer(history_[newest_], gpu::kComputeRead)
       .buffer(after, gpu::kComputeWrite)
       .record(*context_, commands);
   foam_.bind(commands, foamSets_[newest_]);
-  foam_.push(commands, shader::WaveFoamPush{keep ? 1u : 0u});
+  foam_.push(commands, shader::WaveFoamPush{keep ? 1u : 0u, moment.share});
   foam_.dispatch(commands, size_ / columnsPerGroup_, 1, foamCascades_);
   gpu::Barrier().buffer(after, gpu::kComputeRead).record(*context_, commands);
   newest_ = 1 - newest_;
 }
 
-void WaveTransform::recordRows(vk::CommandBuffer commands, std::uint64_t fraction) noexcept {
-  recordRowPass(commands, rows_, rowsSet_, count_, fraction);
+void WaveTransform::recordRows(vk::CommandBuffer commands, const SeaMoment& moment) noexcept {
+  recordRowPass(commands, rows_[moment.changing], count_, moment);
 }
 
-void WaveTransform::recordColumns(vk::CommandBuffer commands, std::uint32_t target, float fade) noexcept {
+void WaveTransform::recordColumns(vk::CommandBuffer commands, const SeaMoment& moment, std::uint32_t target,
+                                  float fade) noexcept {
   columns_.bind(commands, columnsSets_[target][newest_]);
-  columns_.push(commands, shader::WaveColumnsPush{foamCascades_, fade});
+  columns_.push(commands, shader::WaveColumnsPush{foamCascades_, fade, moment.share});
   columns_.dispatch(commands, size_ / columnsPerGroup_, 1, count_);
 }
 

@@ -3,7 +3,7 @@
 
 #include <gpu/barrier.hpp>
 #include <gpu/compute_pass.hpp>
-#include <waves/grid_sea.hpp>
+#include <waves/sea_change.hpp>
 
 namespace pelagic {
 
@@ -14,26 +14,33 @@ struct WaveImages {
 };
 Result<WaveImages> createWaveImages(gpu::Context& context, const WavesInfo& info);
 
+/// The sea at a time.
+struct SeaMoment {
+  std::uint64_t fraction = 0;  ///< Of the loop.
+  bool changing = false;
+  float share = 1;  ///< Of the sea that comes.
+};
+
 class WaveTransform {
  public:
   static Result<WaveTransform> create(gpu::Context& context, const WavesInfo& info, const WaveImages& images);
 
   /// Copies the sea through staging slot `slot`; the slot's last copy must have been executed.
-  void upload(vk::CommandBuffer commands, const GridSea& sea, std::uint32_t slot) noexcept;
+  void upload(vk::CommandBuffer commands, const SeaChange& sea, std::uint32_t slot) noexcept;
   /// Advances the foam by one tick of its clock. `keep`: the history holds the tick before.
-  void recordFoamTick(vk::CommandBuffer commands, std::uint64_t fraction, bool keep) noexcept;
+  void recordFoamTick(vk::CommandBuffer commands, const SeaMoment& moment, bool keep) noexcept;
   /// The row pass of both planes.
-  void recordRows(vk::CommandBuffer commands, std::uint64_t fraction) noexcept;
+  void recordRows(vk::CommandBuffer commands, const SeaMoment& moment) noexcept;
   /// The column pass: the finest mip of displacement[target] and the other maps, all in GENERAL layout.
   /// `fade`: decay of the foam since the last tick, 0 ... 1 / kFoamSteps.
-  void recordColumns(vk::CommandBuffer commands, std::uint32_t target, float fade) noexcept;
+  void recordColumns(vk::CommandBuffer commands, const SeaMoment& moment, std::uint32_t target, float fade) noexcept;
 
  private:
   Result<void> createBuffers(gpu::Context& context, const WavesInfo& info);
   Result<void> createPasses(gpu::Context& context, const WavesInfo& info);
   Result<void> createSets(const WaveImages& images);
-  void recordRowPass(vk::CommandBuffer commands, const gpu::ComputePass& pass, const gpu::DescriptorSet& set,
-                     std::uint32_t cascades, std::uint64_t fraction) noexcept;
+  void recordRowPass(vk::CommandBuffer commands, const gpu::ComputePass& pass, std::uint32_t cascades,
+                     const SeaMoment& moment) noexcept;
 
   gpu::Context* context_ = nullptr;
   std::uint32_t size_ = 0;
@@ -47,8 +54,10 @@ class WaveTransform {
   std::array<gpu::Buffer, 2> history_;
   std::uint32_t newest_ = 0;  ///< Of history_.
   gpu::Unique<vk::BufferView> amplitudesView_, constantsView_, planesView_;
-  gpu::ComputePass rows_, foamRows_, columns_, foam_;
-  gpu::DescriptorSet rowsSet_, foamRowsSet_;
+  /// [whether the sea changes]
+  std::array<gpu::ComputePass, 2> rows_, foamRows_;
+  gpu::ComputePass columns_, foam_;
+  gpu::DescriptorSet rowsSet_;
   /// [displacement target][newest history]
   std::array<std::array<gpu::DescriptorSet, 2>, 2> columnsSets_;
   /// [newest history]

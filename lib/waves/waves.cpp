@@ -24,8 +24,9 @@ void end(Timings* timings, VkCommandBuffer commands) noexcept {
 struct Waves::Impl {
   gpu::Context* context = nullptr;
   WavesInfo info;
-  GridSea grid;                   ///< As recorded last, or for the first time.
-  std::optional<GridSea> wanted;  ///< By setSea(), for the next record().
+  SeaChange sea;                    ///< As recorded last, or for the first time.
+  std::optional<SeaChange> wanted;  ///< By setSea(), for the next record().
+  double shown = 0;                 ///< Time recorded last [s].
   WaveImages images;
   WaveTransform transform;
   WaveFilter filter;
@@ -39,7 +40,10 @@ struct Waves::Impl {
   double foamTickLength() const noexcept { return info.loopPeriod / std::round(info.loopPeriod / kFoamTick); }
   /// Ticks since the loop began.
   double foamClock(double time) const noexcept;
-  const GridSea& latest() const noexcept { return wanted ? *wanted : grid; }
+  const SeaChange& latest() const noexcept { return wanted ? *wanted : sea; }
+  SeaMoment momentOf(double at) const noexcept {
+    return {loopFraction(at, info.loopPeriod), sea.changing(), static_cast<float>(sea.share(at).value)};
+  }
   void recordUpload(vk::CommandBuffer commands) noexcept;
   void clearFoam(vk::CommandBuffer commands) noexcept;
   void recordFoam(vk::CommandBuffer commands, double time) noexcept;
@@ -56,7 +60,7 @@ Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
   auto impl = std::make_unique<Impl>();
   impl->context = &device.context();
   impl->info = info;
-  impl->grid = makeGridSea(info.sea, info);
+  impl->sea.after = makeGridSea(info.sea, info);
   PELAGIC_TRY(images, createWaveImages(*impl->context, info));
   impl->images = std::move(images);
   PELAGIC_TRY(transform, WaveTransform::create(*impl->context, info, impl->images));
@@ -66,20 +70,21 @@ Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
   return Waves(std::move(impl));
 }
 
-Result<void> Waves::setSea(const SeaState& sea) {
+Result<void> Waves::setSea(const SeaState& sea, const SeaTransition& transition) {
   PELAGIC_CHECK(validate(sea));
-  impl_->wanted = makeGridSea(sea, impl_->info);
+  PELAGIC_CHECK(validate(transition));
+  impl_->wanted = changeSea(impl_->latest(), makeGridSea(sea, impl_->info), transition, impl_->info);
   return {};
 }
 
 void Waves::Impl::recordUpload(vk::CommandBuffer commands) noexcept {
   if (wanted) {
-    std::swap(grid, *wanted);
+    std::swap(sea, *wanted);
     wanted.reset();
     uploaded = false;
   }
   if (!uploaded) {
-    transform.upload(commands, grid, slot);
+    transform.upload(commands, sea, slot);
     // The foam of a sea is a function of the sea and the time alone: that of another sea is not carried over.
     hasFoam = false;
     uploaded = true;
@@ -94,12 +99,16 @@ double Waves::Impl::foamClock(double time) const noexcept {
 
 void Waves::Impl::recordFoam(vk::CommandBuffer commands, double time) noexcept {
   const double now = std::floor(foamClock(time));
+  const double loopStart = std::floor(time / info.loopPeriod) * info.loopPeriod;
   // A tick older than kFoamSteps has faded away, so a replay of kFoamSteps ticks is complete from any start.
   const bool replay = !hasFoam || now < foamTick || now - foamTick >= shader::kFoamSteps;
   const std::uint32_t ticks = replay ? shader::kFoamSteps : static_cast<std::uint32_t>(now - foamTick);
   for (std::uint32_t left = ticks; left-- > 0;) {
     const bool keep = !replay || left + 1 < ticks;
-    transform.recordFoamTick(commands, loopFraction((now - left) * foamTickLength(), info.loopPeriod), keep);
+    const double tick = (now - left) * foamTickLength();  // since the loop began, exact
+    SeaMoment moment = momentOf(loopStart + tick);
+    moment.fraction = loopFraction(tick, info.loopPeriod);
+    transform.recordFoamTick(commands, moment, keep);
   }
   foamTick = now;
   hasFoam = true;
@@ -113,7 +122,7 @@ void Waves::Impl::clearFoam(vk::CommandBuffer commands) noexcept {
 
 void Waves::Impl::recordMaps(vk::CommandBuffer commands, double time, Timings* timings) noexcept {
   begin(timings, commands, "waves evolve rows");
-  transform.recordRows(commands, loopFraction(time, info.loopPeriod));
+  transform.recordRows(commands, momentOf(time));
   end(timings, commands);
 
   gpu::Image& displacement = images.displacement[newest];
@@ -124,7 +133,8 @@ void Waves::Impl::recordMaps(vk::CommandBuffer commands, double time, Timings* t
       .image(images.foam, gpu::kComputeStorageWrite)
       .record(*context, commands);
   begin(timings, commands, "waves columns");
-  transform.recordColumns(commands, newest, static_cast<float>((foamClock(time) - foamTick) / shader::kFoamSteps));
+  transform.recordColumns(commands, momentOf(time), newest,
+                          static_cast<float>((foamClock(time) - foamTick) / shader::kFoamSteps));
   end(timings, commands);
   begin(timings, commands, "waves filter");
   filter.record(commands, images, newest);
@@ -149,6 +159,7 @@ void Waves::record(VkCommandBuffer handle, double time, Timings* timings) noexce
     impl_->recordMaps(commands, time, nullptr);
     impl_->recorded = true;
   }
+  impl_->shown = time;
   impl_->newest = 1 - impl_->newest;
   impl_->recordMaps(commands, time, timings);
 }
@@ -163,19 +174,21 @@ WaveMaps Waves::maps() const noexcept {
   maps.moments = images.moments.map();
   maps.foam = images.foam.map();
   maps.layout = impl_->info.layout;
-  maps.windDirection = impl_->grid.sea.windDirection;
-  maps.unresolved = impl_->grid.report.unresolved;
-  maps.slopeCovariance = impl_->grid.slopeCovariance;
-  maps.elevationDeviation = impl_->grid.elevationDeviation;
-  maps.horizontalDeviation = impl_->grid.horizontalDeviation;
-  maps.choppiness = impl_->grid.sea.choppiness;
+  const double share = impl_->sea.share(impl_->shown).value;
+  const SeaMoments moments = impl_->sea.momentsAt(share);
+  maps.windDirection = impl_->sea.windDirectionAt(share);
+  maps.unresolved = impl_->sea.unresolvedAt(share);
+  maps.slopeCovariance = moments.slopes;
+  maps.elevationDeviation = std::sqrt(moments.elevation);
+  maps.horizontalDeviation = std::sqrt(moments.horizontal);
+  maps.choppiness = impl_->sea.choppinessAt(share);
   return maps;
 }
 
-SeaReport Waves::report() const noexcept { return impl_->latest().report; }
+SeaReport Waves::report() const noexcept { return impl_->latest().after.report; }
 
 std::vector<double> Waves::modeVariance(std::uint32_t cascade) const {
-  return makeModes(impl_->latest().sea, impl_->info.layout, cascade, impl_->info.loopPeriod).variance;
+  return makeModes(impl_->latest().after.sea, impl_->info.layout, cascade, impl_->info.loopPeriod).variance;
 }
 
 }  // namespace pelagic

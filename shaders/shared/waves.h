@@ -11,6 +11,8 @@ PELAGIC_SHADER_CONSTANT uint kSamplesPerThread = 16u;
 PELAGIC_SHADER_CONSTANT uint kFoamSteps = 32u;
 // Mips that one filter dispatch makes.
 PELAGIC_SHADER_CONSTANT uint kFilterLevels = 5u;
+// The buffer of cascades holds those of the sea that comes, from this index on those of the sea that goes.
+PELAGIC_SHADER_CONSTANT uint kMostCascades = 8u;
 
 // Of one cascade; changes with the sea only.
 struct WaveCascade {
@@ -26,15 +28,19 @@ struct WaveRowsPush {
   // 64-bit fraction of time / loop period.
   uint fractionHigh;
   uint fractionLow;
+  // Of the sea that comes in the amplitudes, 0 ... 1; 1 when nothing changes.
+  float share;
 };
 
 struct WaveColumnsPush {
   uint foamCascades;  // the first ones keep foam
   float fade;         // decay since the last tick, 0 ... 1 / kFoamSteps
+  float share;        // as in WaveRowsPush
 };
 
 struct WaveFoamPush {
-  uint keep;  // 1: continue the previous tick's foam, 0: there was none
+  uint keep;    // 1: continue the previous tick's foam, 0: there was none
+  float share;  // as in WaveRowsPush
 };
 
 struct WaveFilterPush {

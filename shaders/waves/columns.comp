@@ -30,7 +30,7 @@ void store(uint cascade, WaveCascade constants, uint row, vec4 a, vec4 b) {
 
 void main() {
   const uint cascade = gl_WorkGroupID.z;
-  const WaveCascade constants = cascades[cascade];
+  const WaveCascade constants = cascadeAt(cascade, push.share);
   transformColumn(2 * cascade);
   vec4 a[16];  // dDx/dx, dDz/dz, dDz/dx, h * heightScale
 #define KEEP(e) a[e] = v[e];

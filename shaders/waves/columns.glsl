@@ -16,6 +16,16 @@ shared vec4 slots[16 * gl_WorkGroupSize.y * gl_WorkGroupSize.x];
 #define FFT_EXCHANGE(i) slots[(i) * gl_WorkGroupSize.x + gl_LocalInvocationID.x]
 #include "waves/fft.glsl"
 
+// Of a cascade, between the sea that goes and the one that comes.
+WaveCascade cascadeAt(uint cascade, float share) {
+  WaveCascade mixed = cascades[cascade];
+  const WaveCascade before = cascades[kMostCascades + cascade];
+  mixed.heightScale = mix(before.heightScale, mixed.heightScale, share);
+  mixed.foldThreshold = mix(before.foldThreshold, mixed.foldThreshold, share);
+  mixed.inverseSpread = mix(before.inverseSpread, mixed.inverseSpread, share);
+  return mixed;
+}
+
 // `plane` counts planes of all cascades.
 void transformColumn(uint plane) {
   const int first = int(plane * kSize * kSize + gl_GlobalInvocationID.x);

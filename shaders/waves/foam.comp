@@ -22,7 +22,7 @@ void tick(uint cascade, WaveCascade constants, uint row, vec4 a) {
 
 void main() {
   const uint cascade = gl_WorkGroupID.z;
-  const WaveCascade constants = cascades[cascade];
+  const WaveCascade constants = cascadeAt(cascade, push.share);
   transformColumn(cascade);
 #define TICK(e) tick(cascade, constants, FFT_THREAD + e * FFT_THREADS, v[e]);
   FFT_EACH(TICK)

@@ -20,12 +20,14 @@ WavesInfo infoOf(const SeaState& sea, std::uint32_t count = 2, std::uint32_t siz
 }
 
 CpuLattice latticeOf(const WavesInfo& info, std::uint32_t cascade, double time, double kMax = HUGE_VAL) {
-  CpuLattice lattice(info.sea, info, cascade, kMax);
+  SeaChange sea;
+  sea.after = makeGridSea(info.sea, info);
+  CpuLattice lattice(sea, info, cascade, kMax);
   const InverseFft fft(info.layout.size);
   const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
   ComplexPlane plane{std::vector<float>(count), std::vector<float>(count)};
   ComplexPlane scratch = plane;
-  lattice.evolve(time, fft, plane, scratch);
+  lattice.evolve(time, {}, fft, plane, scratch);
   return lattice;
 }
 
