@@ -26,6 +26,35 @@ pelagic::Swell parseSwell(const std::string& where, const std::string& text) {
   return swell;
 }
 
+pelagic::Trochoid parseTrochoid(const std::string& where, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() < 3 || parts.size() > 5) refuse(where, text, "AMPLITUDE_M,LENGTH_M,DEG[,STEEPNESS[,PHASE_DEG]]");
+  pelagic::Trochoid wave;
+  wave.amplitude = parsePart(where, text, parts[0], "an amplitude of", {0, 20, "m", true});
+  wave.wavelength = parsePart(where, text, parts[1], "a wavelength of", {0, 1e6, "m", true});
+  wave.direction = parsePart(where, text, parts[2], "a direction of", {-360, 360, "degrees"}) * kDegree;
+  if (parts.size() > 3) wave.steepness = parsePart(where, text, parts[3], "a steepness of", {0, 100, ""});
+  if (parts.size() > 4) wave.phase = parsePart(where, text, parts[4], "a phase of", {-360, 360, "degrees"}) * kDegree;
+  return wave;
+}
+
+std::vector<pelagic::Trochoid> parseTrochoids(const std::string& where, const std::vector<std::string>& texts) {
+  std::vector<pelagic::Trochoid> waves;
+  if (texts.size() == 1 && texts.front() == "none") return waves;
+  for (const std::string& text : texts) waves.push_back(parseTrochoid(where, text));
+  return waves;
+}
+
+pelagic::TrochoidPick parsePick(const std::string& where, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() > 3) refuse(where, text, "COUNT[,ROUGHNESS[,STEEPNESS]]");
+  pelagic::TrochoidPick pick;
+  pick.count = static_cast<std::uint32_t>(parseWhole(where, parts[0], 0, 256));
+  if (parts.size() > 1) pick.roughness = parsePart(where, text, parts[1], "a roughness of", {0, 1, ""});
+  if (parts.size() > 2) pick.steepness = parsePart(where, text, parts[2], "a steepness of", {0, 1, ""});
+  return pick;
+}
+
 std::array<double, pelagic::kOctaves> parseGains(const std::string& where, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   const std::string name = fmt::format("{} numbers with commas, each", pelagic::kOctaves);
@@ -97,6 +126,14 @@ Fields seaFields(SeaSettings& sea) {
        "A train of swell, repeatable: height more than 0 to 20 m, period 1 to 30 s, direction -360 to 360 degrees, "
        "spread 1 to 200 (larger is narrower); 'none' for no swell",
        [&state](const std::string& where, const Texts& t) { state.swell = parseSwells(where, t); }, true},
+      {"trochoid", "AMPLITUDE_M,LENGTH_M,DEG[,STEEPNESS[,PHASE_DEG]]",
+       "A single Gerstner wave, repeatable: amplitude more than 0 to 20 m, wavelength within the patches', direction "
+       "and "
+       "phase -360 to 360 degrees, steepness 0 to 100 (1: circles); 'none' for no such wave",
+       [&state](const std::string& where, const Texts& t) { state.trochoids = parseTrochoids(where, t); }, true},
+      {"pick-trochoids", "COUNT[,ROUGHNESS[,STEEPNESS]]",
+       "Draw the long waves by 0 to 256 trochoids; share 0 to 1 of them that stays random, and 0 (round) to 1 (sharp)",
+       [&state](const std::string& where, const Texts& t) { state.trochoidPick = parsePick(where, t.front()); }},
       numberField("choppiness", "X", "Horizontal displacement, 1 is physical", {0, 2, ""}, state.choppiness),
       wholeField("seed", "N", "Seed of the random numbers", 0, std::numeric_limits<std::uint64_t>::max(),
                  [&state](std::uint64_t seed) { state.seed = seed; }),

@@ -67,6 +67,16 @@ bool drawSwell(std::vector<pelagic::Swell>& trains) {
   return changed;
 }
 
+bool drawTrochoids(pelagic::TrochoidPick& pick) {
+  const std::uint32_t none = 0, most = 64;
+  bool changed = ImGui::SliderScalar("Trochoids", ImGuiDataType_U32, &pick.count, &none, &most, "%u",
+                                     ImGuiSliderFlags_AlwaysClamp);
+  if (pick.count == 0) return changed;
+  changed |= slide("Roughness", pick.roughness, 0, 1);
+  changed |= slide("Steepness", pick.steepness, 0, 1);
+  return changed;
+}
+
 bool drawOctaves(std::array<double, pelagic::kOctaves>& gains) {
   if (!ImGui::TreeNode("Gain by octave")) return false;
   bool changed = false;
@@ -86,7 +96,7 @@ bool drawDepth(double& depth) {
   return changed;
 }
 
-void drawSea(common::SeaSettings& sea, Changes& changes) {
+void drawSea(common::SeaSettings& sea, Clock& clock, Changes& changes) {
   pelagic::SeaState& state = sea.state;
   bool changed = slide("Wind [m/s]", state.windSpeed, 0.1, 60, 1, "%.1f");
   changed |= slide("Wind toward [deg]", state.windDirection, -360, 360, kDegree, "%.0f");
@@ -98,7 +108,9 @@ void drawSea(common::SeaSettings& sea, Changes& changes) {
   changed |= slide("Swell sharpening", state.swellSharpening, 0, 1);
   changed |= drawOctaves(state.octaveGain);
   changed |= drawSwell(state.swell);
+  changed |= drawTrochoids(state.trochoidPick);
   changes.sea |= changed;
+  slide("Changes take [s]", clock.change, 0, 60, 1, "%.1f");
 
   ImGui::Separator();
   changes.layout |= ImGui::InputScalar("Seed", ImGuiDataType_U64, &state.seed);
@@ -154,7 +166,7 @@ Changes drawPanel(common::Scene& scene, Clock& clock, double& fov, const pelagic
   ImGui::SetNextWindowSize({380, 520}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Pelagic")) {
     ImGui::TextWrapped("Fly with W A S D, Q and E, faster with Shift; turn with the right mouse button.");
-    if (ImGui::CollapsingHeader("Sea", ImGuiTreeNodeFlags_DefaultOpen)) drawSea(scene.sea, changes);
+    if (ImGui::CollapsingHeader("Sea", ImGuiTreeNodeFlags_DefaultOpen)) drawSea(scene.sea, clock, changes);
     if (ImGui::CollapsingHeader("Light")) drawLight(scene, changes);
     if (ImGui::CollapsingHeader("Water")) drawWater(scene.medium, changes);
     if (ImGui::CollapsingHeader("Camera and time")) {

@@ -16,8 +16,9 @@ struct Changes {
 
 /// How time passes.
 struct Clock {
-  double time = 0;   ///< [s]
-  double speed = 1;  ///< Seconds of the sea per second.
+  double time = 0;    ///< [s]
+  double speed = 1;   ///< Seconds of the sea per second.
+  double change = 2;  ///< Over which a new sea takes over [s].
 };
 
 /// A measured pass, kept longer than its frame.

@@ -120,7 +120,7 @@ class Sandbox {
     const sandbox::Changes changes = sandbox::drawPanel(scene_, clock_, camera_.fov, ocean_->waves().report(), passes_);
     outgrown_ |= changes.layout;
     if (changes.sea) {
-      common::unwrap(ocean_->setSea(scene_.sea.state));
+      common::unwrap(ocean_->setSea(scene_.sea.state, {clock_.time, clock_.change}));
       outgrown_ |= outgrown();
     }
     if (changes.sky) common::unwrap(ocean_->setSky(scene_.sky));

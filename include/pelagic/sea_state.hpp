@@ -43,6 +43,26 @@ struct Swell {
   double spread = 20;            ///< Exponent s of cos^2s of half the angle [1], 1 … 200; larger is narrower.
 };
 
+/// One Gerstner wave: the water moves on ellipses, h = A cos(k x - w t + phase), D = -Q A sin(k x - w t + phase) along
+/// the wave, so that crests are sharper than troughs. It is one mode of a patch: Waves::trochoids() tells what the
+/// nearest free mode has made of wavelength and direction, by half a mode each way at most where modes are free.
+struct Trochoid {
+  double amplitude = 0.5;  ///< A [m], half of its height; > 0 … 20.
+  double wavelength = 50;  ///< [m], more than the shortest wave of the layout, at most its longest patch.
+  double direction = 0;    ///< Travels toward, from +x turning to +z [rad], finite.
+  double steepness = 1;    ///< Q [1], 0 … 100; 1: circles, as in deep water; 1/(k A): cusps.
+  double phase = 0;        ///< At the origin at time 0 [rad], finite; 0: a crest.
+};
+
+/// Long waves drawn by few trochoids instead of many random ones, as artists like them. Each of `count` trochoids is
+/// taken from an equal part of the spectrum's energy, up to 95 % of it from the longest waves on, and inherits what
+/// random waves of its mode have left; Hs stays.
+struct TrochoidPick {
+  std::uint32_t count = 0;  ///< 0 … 256; 0: none.
+  double roughness = 0;     ///< Share of that energy that stays in random waves [1], 0 … 1.
+  double steepness = 0.8;   ///< Sum of Q k A of those picked [1], 0 … 1: 0 are round waves, 1 the sharpest.
+};
+
 /// A measured frequency spectrum, as buoys and wave models publish it; linear between its entries. Below the lowest
 /// frequency there is nothing, above the highest the density falls as f^-5 (Phillips 1958): end with 0 for no such
 /// tail.
@@ -74,6 +94,10 @@ struct SeaState {
   std::array<double, kOctaves> octaveGain{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
   std::vector<Swell> swell;
+  /// Single waves on top of the rest, at most 256. The sum of Q k A of all trochoids is held at 1 at most, where crests
+  /// would begin to loop: SeaReport::steepnessScale. `choppiness` does not act on them.
+  std::vector<Trochoid> trochoids;
+  TrochoidPick trochoidPick;
   std::uint64_t seed = 1;  ///< Any; the same seed gives the same sea on every machine.
 };
 

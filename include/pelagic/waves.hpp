@@ -96,6 +96,8 @@ struct SeaReport {
   double whitecaps = 0;  ///< Target whitecap fraction [1].
   /// Largest relative change of a mode's frequency by the loop period, pi / (T w) at most [1].
   double frequencyError = 0;
+  /// What the steepness of every trochoid was multiplied by, so that no crest loops [1]; 1: all are as asked for.
+  double steepnessScale = 1;
 };
 
 /// Owns the spectrum, the FFT pipelines and the maps. Move-only; one thread at a time.
@@ -118,6 +120,8 @@ class Waves {
   /// `displacement` and `previousDisplacement` change places at each record().
   WaveMaps maps() const noexcept;
   SeaReport report() const noexcept;
+  /// The sea's trochoids as they are on the grid, those given one by one first, then those picked.
+  std::vector<Trochoid> trochoids() const;
   /// Expected E|h(k)|^2 [m^2] of every mode of a cascade before any random number, N x N in FFT order, row = z.
   std::vector<double> modeVariance(std::uint32_t cascade) const;
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <sstream>
 #include <waves/grid_sea.hpp>
+#include <waves/trochoids.hpp>
 #include <waves/whitecaps.hpp>
 
 namespace pelagic {
@@ -94,6 +95,7 @@ Result<void> validate(const WavesInfo& info) {
     return rejectField("WavesInfo::loopPeriod", info.loopPeriod, "lie in 1 … 4194304 s");
   }
   PELAGIC_CHECK(validate(info.layout, info.loopPeriod));
+  PELAGIC_CHECK(validate(info.sea, info.layout));
   if (info.precision != MapPrecision::half && info.precision != MapPrecision::single) {
     return rejectField("WavesInfo::precision", static_cast<int>(info.precision), "be one of the enumerators");
   }
@@ -142,6 +144,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   const SlopeVariance tail = slopeVariance(sea, layout.cascades[layout.count - 1].kMax, kShortestWave);
   report.unresolved = {std::max(report.target.upwind - report.grid.upwind, tail.upwind),
                        std::max(report.target.crosswind - report.grid.crosswind, tail.crosswind)};
+  report.steepnessScale = trochoidsOnGrid(sea, layout).steepnessScale;
   report.whitecaps = whitecapFraction(sea.windSpeed);
 
   const std::span foaming = std::span(spreads).first(foamCascades(layout));

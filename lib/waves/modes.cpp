@@ -2,6 +2,7 @@
 #include <complex>
 #include <numbers>
 #include <waves/modes.hpp>
+#include <waves/trochoids.hpp>
 
 namespace pelagic {
 namespace {
@@ -27,6 +28,24 @@ std::complex<double> randomAmplitude(std::uint64_t seed, std::uint32_t cascade, 
   return std::polar(std::sqrt(-std::log(u1)), kTwoPi * u2);
 }
 
+/// A wave of its own takes the place of the random ones of a pair of modes.
+void putTrochoid(const GridTrochoid& trochoid, std::uint32_t n, CascadeModes& modes) {
+  const Trochoid& wave = trochoid.wave;
+  const auto indexOf = [&](int mx, int mz) {
+    const auto row = static_cast<std::uint32_t>(mz) & (n - 1), column = static_cast<std::uint32_t>(mx) & (n - 1);
+    return std::size_t{row} * n + column;
+  };
+  const std::size_t index = indexOf(trochoid.mx, trochoid.mz);
+  const std::size_t opposite = indexOf(-trochoid.mx, -trochoid.mz);
+  const glm::vec2 half(glm::dvec2(std::cos(wave.phase), std::sin(wave.phase)) * (0.5 * wave.amplitude));
+  modes.amplitude[index] = glm::vec4(half, 0, 0);
+  modes.amplitude[opposite] = glm::vec4(0, 0, half.x, -half.y);
+  for (const std::size_t mode : {index, opposite}) {
+    modes.variance[mode] = 0.25 * wave.amplitude * wave.amplitude;
+    modes.constants[mode].chop = static_cast<float>(wave.steepness * wave.wavelength / kTwoPi);
+  }
+}
+
 }  // namespace
 
 int modeOf(std::uint32_t i, std::uint32_t size) noexcept {
@@ -39,6 +58,7 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
   const double dk = kTwoPi / patch.length;
   const std::size_t total = static_cast<std::size_t>(n) * n;
 
+  const GridTrochoids trochoids = trochoidsOnGrid(sea, layout);
   std::vector<double> energy(total, 0.0);  // Psi(k) dk^2
   CascadeModes modes;
   modes.amplitude.assign(total, glm::vec4(0));
@@ -54,7 +74,8 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
       if (!exists(row, column)) continue;
       const double kx = dk * modeOf(column, n);
       const double kz = dk * modeOf(row, n);
-      energy[row * n + column] = waveNumberSpectrum(sea, kx, kz) * dk * dk;
+      const double kept = std::hypot(kx, kz) < trochoids.cut ? trochoids.kept : 1;
+      energy[row * n + column] = kept * waveNumberSpectrum(sea, kx, kz) * dk * dk;
     }
   }
   for (std::uint32_t row = 0; row < n; ++row) {
@@ -73,6 +94,9 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
       modes.constants[index] = {static_cast<std::uint32_t>(std::fmax(1, cycles)),
                                 static_cast<float>(sea.choppiness / (std::tanh(k * sea.depth) * k))};
     }
+  }
+  for (const GridTrochoid& trochoid : trochoids.waves) {
+    if (trochoid.cascade == cascade) putTrochoid(trochoid, n, modes);
   }
   return modes;
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <pelagic/query.hpp>
 #include <waves/cpu_lattice.hpp>
+#include <waves/trochoids.hpp>
 
 namespace pelagic {
 namespace {
@@ -152,6 +153,7 @@ Result<SeaQuery> SeaQuery::create(const WavesInfo& info, double shortestWaveleng
 
 Result<void> SeaQuery::setSea(const SeaState& sea, const SeaTransition& transition) {
   PELAGIC_CHECK(validate(sea));
+  PELAGIC_CHECK(validate(sea, impl_->info.layout));
   PELAGIC_CHECK(validate(transition));
   impl_->build(changeSea(impl_->sea, makeGridSea(sea, impl_->info), transition, impl_->info));
   return {};

@@ -57,6 +57,24 @@ Result<void> validate(const SeaState& sea) {
     };
     for (const Field& field : trains) PELAGIC_CHECK(check("SeaState::swell[" + std::to_string(i) + "]", field));
   }
+  if (sea.trochoids.size() > 256) {
+    return gpu::reject("SeaState::trochoids has " + std::to_string(sea.trochoids.size()) +
+                       " waves, it must have 256 at most");
+  }
+  for (std::size_t i = 0; i < sea.trochoids.size(); ++i) {
+    const Trochoid& wave = sea.trochoids[i];
+    const Field waves[] = {{"amplitude", wave.amplitude, 1e-6, 20, "m"},
+                           {"wavelength", wave.wavelength, 1e-4, 1e6, "m"},
+                           {"direction", wave.direction, -kAnyAngle, kAnyAngle, "rad"},
+                           {"steepness", wave.steepness, 0, 100, ""},
+                           {"phase", wave.phase, -kAnyAngle, kAnyAngle, "rad"}};
+    for (const Field& field : waves) PELAGIC_CHECK(check("SeaState::trochoids[" + std::to_string(i) + "]", field));
+  }
+  if (sea.trochoidPick.count > 256) {
+    return gpu::reject("TrochoidPick::count is " + std::to_string(sea.trochoidPick.count) + ", it must lie in 0 … 256");
+  }
+  PELAGIC_CHECK(check("TrochoidPick", {"roughness", sea.trochoidPick.roughness, 0, 1, ""}));
+  PELAGIC_CHECK(check("TrochoidPick", {"steepness", sea.trochoidPick.steepness, 0, 1, ""}));
   return {};
 }
 

@@ -150,6 +150,17 @@ double integrateOverWaveNumber(double kMin, double kMax, F f) noexcept {
   return sum * step / 3;
 }
 
+/// Sum over the single trochoids with kMin <= k < kMax of their variance A^2/2 times `weight`.
+template <class F>
+double sumOfTrochoids(const SeaState& sea, double kMin, double kMax, F weight) noexcept {
+  double sum = 0;
+  for (const Trochoid& wave : sea.trochoids) {
+    const double k = 2 * kPi / wave.wavelength;
+    if (k >= kMin && k < kMax) sum += 0.5 * wave.amplitude * wave.amplitude * weight(wave, k);
+  }
+  return sum;
+}
+
 /// Integral of D cos^2 over all angles, the share of a spreading function's slopes along theta = 0.
 template <class F>
 double alongShare(F distribution) noexcept {
@@ -246,9 +257,10 @@ double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept {
 }
 
 double elevationVariance(const SeaState& sea, double kMin, double kMax) noexcept {
-  return integrateOverWaveNumber(kMin, kMax, [&](double k) {
+  const double continuous = integrateOverWaveNumber(kMin, kMax, [&](double k) {
     return spectrumAt(sea, angularFrequency(k, sea.depth), k) * groupSpeed(k, sea.depth);
   });
+  return continuous + sumOfTrochoids(sea, kMin, kMax, [](const Trochoid&, double) { return 1.0; });
 }
 
 SlopeVariance slopeVariance(const SeaState& sea, double kMin, double kMax) noexcept {
@@ -271,16 +283,26 @@ SlopeVariance slopeVariance(const SeaState& sea, double kMin, double kMax) noexc
         [&](double theta) { return cosinePower(swell.spread, theta - (swell.direction - sea.windDirection)); });
     add([&](double w, double) { return swellSpectrum(swell, w); }, [&](double) { return share; });
   }
+  const auto along = [&](const Trochoid& wave) { return std::cos(wave.direction - sea.windDirection); };
+  const auto across = [&](const Trochoid& wave) { return std::sin(wave.direction - sea.windDirection); };
+  result.upwind += sumOfTrochoids(sea, kMin, kMax,
+                                  [&](const Trochoid& wave, double k) { return k * k * along(wave) * along(wave); });
+  result.crosswind += sumOfTrochoids(
+      sea, kMin, kMax, [&](const Trochoid& wave, double k) { return k * k * across(wave) * across(wave); });
   return result;
 }
 
 double significantWaveHeight(const SeaState& sea) noexcept { return 4 * std::sqrt(elevationVariance(sea, 0, 1e4)); }
 
 double zeroCrossingPeriod(const SeaState& sea) noexcept {
-  const double m2 = integrateOverWaveNumber(0, 1e4, [&](double k) {
-    const double w = angularFrequency(k, sea.depth);
-    return w * w * spectrumAt(sea, w, k) * groupSpeed(k, sea.depth);
-  });
+  const double m2 = integrateOverWaveNumber(0, 1e4,
+                                            [&](double k) {
+                                              const double w = angularFrequency(k, sea.depth);
+                                              return w * w * spectrumAt(sea, w, k) * groupSpeed(k, sea.depth);
+                                            }) +
+                    sumOfTrochoids(sea, 0, 1e4, [&](const Trochoid&, double k) {
+                      return std::pow(angularFrequency(k, sea.depth), 2);
+                    });
   return 2 * kPi * std::sqrt(elevationVariance(sea, 0, 1e4) / m2);
 }
 
@@ -296,7 +318,9 @@ double peakPeriod(const SeaState& sea) noexcept {
 double longestPeakWavelength(const SeaState& sea) noexcept {
   double lowest = sea.spectrum == Spectrum::table ? tableLongestPeak(sea.table) : peakFrequency(sea);
   for (const Swell& swell : sea.swell) lowest = std::min(lowest, 2 * kPi / swell.peakPeriod);
-  return 2 * kPi / waveNumberOf(lowest, sea.depth);
+  double longest = 2 * kPi / waveNumberOf(lowest, sea.depth);
+  for (const Trochoid& wave : sea.trochoids) longest = std::max(longest, wave.wavelength);
+  return longest;
 }
 
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept { return {0.00316 * windSpeed, 0.003 + 0.00192 * windSpeed}; }

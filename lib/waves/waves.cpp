@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <waves/filter.hpp>
+#include <waves/trochoids.hpp>
 
 namespace pelagic {
 namespace {
@@ -72,6 +73,7 @@ Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
 
 Result<void> Waves::setSea(const SeaState& sea, const SeaTransition& transition) {
   PELAGIC_CHECK(validate(sea));
+  PELAGIC_CHECK(validate(sea, impl_->info.layout));
   PELAGIC_CHECK(validate(transition));
   impl_->wanted = changeSea(impl_->latest(), makeGridSea(sea, impl_->info), transition, impl_->info);
   return {};
@@ -186,6 +188,14 @@ WaveMaps Waves::maps() const noexcept {
 }
 
 SeaReport Waves::report() const noexcept { return impl_->latest().after.report; }
+
+std::vector<Trochoid> Waves::trochoids() const {
+  std::vector<Trochoid> waves;
+  for (const GridTrochoid& placed : trochoidsOnGrid(impl_->latest().after.sea, impl_->info.layout).waves) {
+    waves.push_back(placed.wave);
+  }
+  return waves;
+}
 
 std::vector<double> Waves::modeVariance(std::uint32_t cascade) const {
   return makeModes(impl_->latest().after.sea, impl_->info.layout, cascade, impl_->info.loopPeriod).variance;
