@@ -86,7 +86,10 @@ inline constexpr double kLeastWavelengths = 8;
 struct SeaReport {
   double targetHeight = 0;  ///< Hs of the spectrum [m].
   double gridHeight = 0;    ///< Expected Hs of the grid's modes [m].
-  double peakPeriod = 0;    ///< Tp [s].
+  double peakPeriod = 0;    ///< Tp of the spectrum [s].
+  /// Tp of the grid's modes [s]: peakPeriod moved by as much as the modes' peak frequency, weighted as Young (1995)
+  /// does by the fourth power of the spectrum, is off the spectrum's. Within 0.2 % where the layout fits the sea.
+  double gridPeakPeriod = 0;
   /// Peak wavelengths of the longest train that fit into the longest patch [1]. Below kLeastWavelengths the layout is
   /// too short for the sea: its longest waves are overstated, by 5 % of m0 at 3, by half at 1.
   double wavelengthsInPatch = 0;

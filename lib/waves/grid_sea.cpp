@@ -4,6 +4,7 @@
 #include <numbers>
 #include <sstream>
 #include <waves/grid_sea.hpp>
+#include <waves/peak.hpp>
 #include <waves/whitecaps.hpp>
 
 namespace pelagic {
@@ -118,6 +119,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   glm::dvec3 slopes(0);
   double elevation = 0;
   double horizontal = 0;
+  ModeEnergies energies;
   for (std::uint32_t c = 0; c < layout.count; ++c) {
     const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);
@@ -132,6 +134,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     slopes += moments.slopes;
     elevation += moments.elevation;
     horizontal += moments.horizontal;
+    energies.add(modes, info.loopPeriod);
   }
   grid.elevationDeviation = std::sqrt(elevation);
   grid.horizontalDeviation = std::sqrt(horizontal);
@@ -140,6 +143,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   report.targetHeight = significantWaveHeight(sea);
   report.gridHeight = 4 * grid.elevationDeviation;
   report.peakPeriod = peakPeriod(sea);
+  report.gridPeakPeriod = gridPeakPeriod(sea, energies);
   report.wavelengthsInPatch = layout.cascades[0].length / longestPeakWavelength(sea);
   report.target = coxMunkSlopes(sea.windSpeed);
   report.grid = alongWind(slopes, sea.windDirection);
