@@ -28,7 +28,8 @@ struct WaveLayout {
 };
 
 /// The layout for the strongest sea a simulation is to hold: longest patch 8 peak wavelengths of its longest train,
-/// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational.
+/// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational. The longest patch
+/// holds nearly all of the elevation, so from high up the sea is seen to repeat at its length.
 Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count = 4, std::uint32_t size = 256);
 
 enum class MapPrecision {
