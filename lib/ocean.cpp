@@ -41,6 +41,8 @@ Result<Ocean> Ocean::create(Device& device, const OceanInfo& info) {
 Result<void> Ocean::setSea(const SeaState& sea, const SeaTransition& transition) {
   return impl_->waves.setSea(sea, transition);
 }
+Result<void> Ocean::setGain(const GainMap& map) { return impl_->waves.setGain(map); }
+
 Result<void> Ocean::setSky(const SkyState& sky) { return impl_->sky.setState(sky); }
 
 Result<void> Ocean::setMedium(const WaterMedium& medium) {

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "failure.hpp"
+#include "field.hpp"
 
 namespace common {
 namespace {
@@ -26,6 +27,26 @@ void write(const std::filesystem::path& path, const char* format, const OIIO::Im
 ExrChannel floatChannel(std::string name, const std::vector<float>& pixels, std::size_t components, std::size_t index) {
   return {std::move(name), false, reinterpret_cast<const std::byte*>(pixels.data() + index),
           components * sizeof(float)};
+}
+
+FloatImage readImage(const std::string& where, const std::string& path) {
+  const auto file = OIIO::ImageInput::open(path);
+  if (!file) refuse(where, path, "an image: " + OIIO::geterror());
+  const OIIO::ImageSpec& spec = file->spec();
+  FloatImage image;
+  image.width = static_cast<std::uint32_t>(spec.width);
+  image.height = static_cast<std::uint32_t>(spec.height);
+  image.channels = static_cast<std::uint32_t>(spec.nchannels);
+  const std::size_t pixels = std::size_t{image.width} * image.height;
+  std::vector<float> interleaved(pixels * image.channels);
+  if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, interleaved.data())) {
+    refuse(where, path, "an image: " + file->geterror());
+  }
+  image.values.resize(interleaved.size());
+  for (std::size_t i = 0; i < interleaved.size(); ++i) {
+    image.values[i % image.channels * pixels + i / image.channels] = interleaved[i];
+  }
+  return image;
 }
 
 void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,

@@ -20,6 +20,16 @@ struct ExrChannel {
 /// Component `index` of interleaved floats.
 ExrChannel floatChannel(std::string name, const std::vector<float>& pixels, std::size_t components, std::size_t index);
 
+/// An image's pixels as floats, channel by channel, rows from the top.
+struct FloatImage {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t channels = 0;
+  std::vector<float> values;
+};
+/// Any file that OpenImageIO reads. Throws a Failure that names `where` and the file.
+FloatImage readImage(const std::string& where, const std::string& path);
+
 /// Both throw a Failure when the file cannot be written. `path` comes from OutputSet::add.
 void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
               std::span<const ExrChannel> channels);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "failure.hpp"
+#include "image_file.hpp"
 #include "spectrum_file.hpp"
 
 namespace common {
@@ -69,6 +70,22 @@ std::vector<pelagic::Swell> parseSwells(const std::string& where, const std::vec
   if (texts.size() == 1 && texts.front() == "none") return trains;
   for (const std::string& text : texts) trains.push_back(parseSwell(where, text));
   return trains;
+}
+
+pelagic::GainMap parseGainMap(const std::string& where, const std::string& text) {
+  if (text == "none") return {};
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 4) refuse(where, text, "FILE,X_M,Z_M,SPACING_M");
+  FloatImage image = readImage(where, parts[0]);
+  pelagic::GainMap map;
+  map.origin.x = parsePart(where, text, parts[1], "an x of", {-1e9, 1e9, "m"});
+  map.origin.y = parsePart(where, text, parts[2], "a z of", {-1e9, 1e9, "m"});
+  map.spacing = parsePart(where, text, parts[3], "a spacing of", {0.1, 1e6, "m"});
+  map.width = image.width;
+  map.height = image.height;
+  map.bands = image.channels;
+  map.gains = std::move(image.values);
+  return map;
 }
 
 void setSpectrum(const std::string& where, const std::string& text, pelagic::SeaState& state) {
@@ -134,6 +151,10 @@ Fields seaFields(SeaSettings& sea) {
       {"pick-trochoids", "COUNT[,ROUGHNESS[,STEEPNESS]]",
        "Draw the long waves by 0 to 256 trochoids; share 0 to 1 of them that stays random, and 0 (round) to 1 (sharp)",
        [&state](const std::string& where, const Texts& t) { state.trochoidPick = parsePick(where, t.front()); }},
+      {"gain-map", "FILE,X_M,Z_M,SPACING_M",
+       "Image of gains, 0 to 4, on the waves' amplitude over the world: row = z, column = x, one channel or one a "
+       "cascade; where its first pixel lies and how far apart they are; 'none' for no map",
+       [&sea](const std::string& where, const Texts& t) { sea.gain = parseGainMap(where, t.front()); }},
       numberField("choppiness", "X", "Horizontal displacement, 1 is physical", {0, 2, ""}, state.choppiness),
       wholeField("seed", "N", "Seed of the random numbers", 0, std::numeric_limits<std::uint64_t>::max(),
                  [&state](std::uint64_t seed) { state.seed = seed; }),
@@ -155,6 +176,7 @@ pelagic::WavesInfo wavesInfo(const SeaSettings& sea, pelagic::MapPrecision preci
   info.layout = unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size));
   info.loopPeriod = sea.loopPeriod;
   info.precision = precision;
+  info.gain = sea.gain;
   return info;
 }
 

@@ -10,6 +10,7 @@ namespace common {
 /// Everything that defines a simulation.
 struct SeaSettings {
   pelagic::SeaState state;
+  pelagic::GainMap gain;
   double loopPeriod = 4194304;  ///< [s]
   std::uint32_t cascades = 4;
   std::uint32_t size = 256;  ///< Samples along each side of a cascade.

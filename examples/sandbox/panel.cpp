@@ -142,7 +142,8 @@ void drawWater(pelagic::WaterMedium& medium, Changes& changes) {
 }
 
 void drawReport(const pelagic::SeaReport& report, const std::vector<PassTime>& passes) {
-  ImGui::Text("Hs %.2f m (grid %.2f m), Tp %.1f s", report.targetHeight, report.gridHeight, report.peakPeriod);
+  ImGui::Text("Hs %.2f m (grid %.2f m), Tp %.1f s (grid %.1f s)", report.targetHeight, report.gridHeight,
+              report.peakPeriod, report.gridPeakPeriod);
   if (report.wavelengthsInPatch < 0.999 * pelagic::kLeastWavelengths) {
     ImGui::Text("The patches are too short for this sea: %.1f peak wavelengths of %.0f", report.wavelengthsInPatch,
                 pelagic::kLeastWavelengths);

@@ -24,6 +24,7 @@ class Ocean {
 
   /// Each takes effect with the next record(). On error nothing changes.
   Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
+  Result<void> setGain(const GainMap& map);
   Result<void> setSky(const SkyState& sky);
   Result<void> setMedium(const WaterMedium& medium);
 

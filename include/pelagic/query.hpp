@@ -30,6 +30,8 @@ class SeaQuery {
 
   /// Replaces the sea, as Waves::setSea(); the time stays. On error nothing changes.
   Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
+  /// Replaces the map of gains, as Waves::setGain(); any size.
+  Result<void> setGain(const GainMap& map);
   /// Transforms the sea to `time` [s], any finite value in any order; free when it is the current one. Others change
   /// nothing. Starts at 0.
   void setTime(double time) noexcept;

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <pelagic/device.hpp>
+#include <pelagic/gain_map.hpp>
 #include <pelagic/image.hpp>
 #include <pelagic/sea_state.hpp>
 #include <pelagic/spectrum.hpp>
@@ -28,7 +29,8 @@ struct WaveLayout {
 };
 
 /// The layout for the strongest sea a simulation is to hold: longest patch 8 peak wavelengths of its longest train,
-/// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational.
+/// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational. The longest patch
+/// holds nearly all of the elevation, so from high up the sea is seen to repeat at its length.
 Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count = 4, std::uint32_t size = 256);
 
 enum class MapPrecision {
@@ -44,6 +46,8 @@ struct WavesInfo {
   MapPrecision precision = MapPrecision::half;
   /// Recorded command buffers that may be unfinished at a time, 1 … 4.
   std::uint32_t framesInFlight = 2;
+  /// Empty: the sea is the same everywhere, and shaders do not look. Width and height are fixed from here on.
+  GainMap gain;
 };
 
 /// The maps of the sea at one time: 2-D arrays, layer = cascade, row = z, column = x, repeating; texel (i,j)'s centre,
@@ -61,6 +65,12 @@ struct WaveMaps {
   /// recorded.
   std::array<MapView, 2> displacementPair;
 
+  /// R: gain of this cascade's waves, r32f; null without WavesInfo::gain. The other maps are without it: multiply.
+  MapView gain;
+  glm::dvec2 gainOrigin{0};  ///< As GainMap::origin [m] and
+  double gainSpacing = 1;    ///< GainMap::spacing [m].
+  double foamDecline = 0;    ///< w of foamOfGain() in shader/wave_gain.glsl [1].
+
   WaveLayout layout;
   double windDirection = 0;  ///< [rad], as in SeaState.
   /// Slope variance of the real sea that no cascade resolves, along and across the wind [1]: Cox & Munk's total less
@@ -68,7 +78,8 @@ struct WaveMaps {
   SlopeVariance unresolved;
   /// Expected slope variance of each cascade along x, along z and their covariance [1].
   std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
-  /// Standard deviation of the elevation [m], Hs/4 on the grid; no crest is expected above 6 of them.
+  /// Standard deviation of the elevation [m], Hs/4 on the grid, where the gain is largest; no crest is expected above 6
+  /// of them.
   double elevationDeviation = 0;
   /// Standard deviation of the length of the horizontal displacement (Dx, Dz) [m]: choppiness * elevationDeviation in
   /// deep water, more in shallow.
@@ -86,7 +97,10 @@ inline constexpr double kLeastWavelengths = 8;
 struct SeaReport {
   double targetHeight = 0;  ///< Hs of the spectrum [m].
   double gridHeight = 0;    ///< Expected Hs of the grid's modes [m].
-  double peakPeriod = 0;    ///< Tp [s].
+  double peakPeriod = 0;    ///< Tp of the spectrum [s].
+  /// Tp of the grid's modes [s]: peakPeriod moved by as much as the modes' peak frequency, weighted as Young (1995)
+  /// does by the fourth power of the spectrum, is off the spectrum's. Within 0.2 % where the layout fits the sea.
+  double gridPeakPeriod = 0;
   /// Peak wavelengths of the longest train that fit into the longest patch [1]. Below kLeastWavelengths the layout is
   /// too short for the sea: its longest waves are overstated, by 5 % of m0 at 3, by half at 1.
   double wavelengthsInPatch = 0;
@@ -112,6 +126,9 @@ class Waves {
   /// record(), over the time of `transition`. A sea that is still changing when the transition starts is held as it is
   /// then, and goes on from there. CPU work only. On error nothing changes.
   Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
+  /// Replaces the map of gains by one of the same width and height, with the next record(). CPU work only. On error
+  /// nothing changes.
+  Result<void> setGain(const GainMap& map);
   /// Records the whole stage for `time` [s] (any finite value, any order); not within rendering. Before: the maps rest
   /// in kShaderRead; after: again, with the new sea visible to every later shader read on the queue.
   void record(VkCommandBuffer commands, double time, Timings* timings = nullptr) noexcept;

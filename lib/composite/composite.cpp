@@ -28,6 +28,7 @@ constexpr gpu::Binding kBindings[] = {
     {12, DescriptorType::eCombinedImageSampler}, {13, DescriptorType::eStorageImage},
     {14, DescriptorType::eStorageImage},         {15, DescriptorType::eStorageImage},
     {16, DescriptorType::eStorageImage},         {17, DescriptorType::eStorageBuffer},
+    {18, DescriptorType::eCombinedImageSampler},
 };
 
 constexpr gpu::BufferState kComputeReadWrite{
@@ -37,8 +38,9 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// The shaders' specialisation constants 0 … 4: which of a view's optional images there are, and whether tiles foam.
-using Variant = std::array<std::uint32_t, 5>;
+/// The shaders' specialisation constants 0 … 5: which of a view's optional images there are, whether tiles foam, and
+/// whether there is a map of gains.
+using Variant = std::array<std::uint32_t, 6>;
 
 struct Passes {
   gpu::ComputePass classify;
@@ -154,6 +156,7 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   set.storageImage(15, orOutput(targets.slopeVariance));
   set.storageImage(16, orOutput(targets.mergedDepth));
   set.buffer(17, shared.fresnel.handle());
+  set.sampled(18, waves.gain.view ? waves.gain.view : waves.gradient.view, *shared.nearest);
 }
 
 Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
@@ -167,8 +170,12 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
   impl->targets = targets;
-  const Variant variant{targets.color.has_value(), targets.normal.has_value(), targets.slopeVariance.has_value(),
-                        targets.mergedDepth.has_value(), 0};
+  const Variant variant{targets.color.has_value(),
+                        targets.normal.has_value(),
+                        targets.slopeVariance.has_value(),
+                        targets.mergedDepth.has_value(),
+                        0,
+                        waves.gain.view != VK_NULL_HANDLE};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
 

@@ -33,15 +33,16 @@ Result<gpu::Buffer> createIndices(gpu::Context& context) {
   return buffer;
 }
 
-Result<gpu::ComputePass> createTessellate(gpu::Context& context, bool motion) {
+Result<gpu::ComputePass> createTessellate(gpu::Context& context, bool motion, bool gain) {
   using Type = vk::DescriptorType;
   const gpu::Binding bindings[] = {{tFrame, Type::eStorageBuffer},
                                    {tRows, Type::eStorageBuffer},
                                    {tDisplacement, Type::eCombinedImageSampler},
                                    {tPrevious, Type::eCombinedImageSampler},
                                    {tVertices, Type::eStorageBuffer},
-                                   {tFlags, Type::eStorageBuffer}};
-  const std::uint32_t constants[] = {motion};
+                                   {tFlags, Type::eStorageBuffer},
+                                   {tGain, Type::eCombinedImageSampler}};
+  const std::uint32_t constants[] = {motion, gain};
   gpu::ComputePassInfo info;
   info.name = "surface tessellate";
   info.code = shaders::surface_tessellate_comp;
@@ -115,6 +116,15 @@ Result<gpu::Unique<vk::Pipeline>> createDraw(gpu::Context& context, vk::Pipeline
 }  // namespace
 }  // namespace surface
 
+Result<const gpu::ComputePass*> Surface::Impl::tessellateWith(bool gain) {
+  auto& pass = tessellate[gain];
+  if (!pass) {
+    PELAGIC_TRY(created, surface::createTessellate(*context, info.motionVectors, gain));
+    pass = std::move(created);
+  }
+  return &*pass;
+}
+
 Surface::Surface(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
@@ -131,8 +141,7 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
   impl->info = info;
   PELAGIC_TRY(sampler, gpu::createSampler(context, "surface displacement", {}));
   impl->sampler = std::move(sampler);
-  PELAGIC_TRY(tessellate, surface::createTessellate(context, info.motionVectors));
-  impl->tessellate = std::move(tessellate);
+  PELAGIC_CHECK(impl->tessellateWith(false));
   PELAGIC_TRY(select, surface::createSelect(context));
   impl->select = std::move(select);
   const gpu::Binding bindings[] = {{surface::dFrame, vk::DescriptorType::eUniformBuffer},

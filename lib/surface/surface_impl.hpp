@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gpu/compute_pass.hpp>
+#include <optional>
 #include <pelagic/surface.hpp>
 
 namespace pelagic {
@@ -10,7 +11,8 @@ struct Surface::Impl {
   gpu::Context* context = nullptr;
   SurfaceInfo info;
   gpu::Unique<vk::Sampler> sampler;
-  gpu::ComputePass tessellate;
+  /// Without and with a map of gains, compiled when the first view needs it.
+  std::array<std::optional<gpu::ComputePass>, 2> tessellate;
   gpu::ComputePass select;
   gpu::DescriptorLayout drawDescriptors;
   gpu::Unique<vk::PipelineLayout> drawLayout;
@@ -18,12 +20,14 @@ struct Surface::Impl {
   std::array<gpu::Unique<vk::Pipeline>, 2> draw;
   /// The triangles of one block; the same for all.
   gpu::Buffer indices;
+
+  Result<const gpu::ComputePass*> tessellateWith(bool gain);
 };
 
 namespace surface {
 
 /// Bindings of tessellate.comp, of select_blocks.comp and of the draw.
-enum TessellateBinding : std::uint32_t { tFrame, tRows, tDisplacement, tPrevious, tVertices, tFlags };
+enum TessellateBinding : std::uint32_t { tFrame, tRows, tDisplacement, tPrevious, tVertices, tFlags, tGain };
 enum SelectBinding : std::uint32_t { sFlags, sVisible, sArguments, sFrame };
 enum DrawBinding : std::uint32_t { dFrame, dVertices, dVisible };
 

@@ -51,6 +51,7 @@ Relief reliefOf(const WaveMaps& maps) noexcept {
 
 struct SurfaceView::Impl {
   Surface::Impl* surface = nullptr;
+  const gpu::ComputePass* tessellatePass = nullptr;
   VkExtent2D extent{};
   std::array<VkImageView, 2> displacementViews{};
   surface::GridLimits limits;
@@ -138,14 +139,18 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
       return gpu::reject("WaveMaps::displacementPair[" + std::to_string(i) + "].view is null");
     }
   }
+  PELAGIC_TRY(pass, surface->tessellateWith(maps.gain.view != VK_NULL_HANDLE));
+  tessellatePass = pass;
   for (std::size_t i = 0; i < 4; ++i) {
-    PELAGIC_TRY(set, surface->tessellate.createSet("surface tessellate " + std::to_string(i)));
+    PELAGIC_TRY(set, pass->createSet("surface tessellate " + std::to_string(i)));
     set.buffer(surface::tFrame, frameBuffer.handle());
     set.buffer(surface::tRows, rowBuffer.handle());
     set.sampled(surface::tDisplacement, displacementViews[i / 2], *surface->sampler);
     set.sampled(surface::tPrevious, displacementViews[i % 2], *surface->sampler);
     set.buffer(surface::tVertices, vertices.handle());
     set.buffer(surface::tFlags, flags.handle());
+    // What is missing is bound to what is there: the shader's constant keeps it untouched.
+    set.sampled(surface::tGain, maps.gain.view ? maps.gain.view : displacementViews[0], *surface->sampler);
     tessellateSets[i] = std::move(set);
   }
   PELAGIC_TRY(select, surface->select.createSet("surface select blocks"));
@@ -214,8 +219,8 @@ void SurfaceView::Impl::tessellate(vk::CommandBuffer commands, const WaveMaps& m
   if (grid.columnBlocks > 0) {
     const std::size_t current = maps.displacement.view == displacementViews[1] ? 1 : 0;
     const std::size_t previous = maps.previousDisplacement.view == displacementViews[1] ? 1 : 0;
-    surface->tessellate.bind(commands, tessellateSets[2 * current + previous]);
-    surface->tessellate.dispatch(commands, grid.columnBlocks, grid.rowBlocks);
+    tessellatePass->bind(commands, tessellateSets[2 * current + previous]);
+    tessellatePass->dispatch(commands, grid.columnBlocks, grid.rowBlocks);
   }
   gpu::Barrier().buffer(flags, gpu::kComputeRead).record(*surface->context, commands);
   surface->select.bind(commands, selectSet);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <sstream>
 #include <waves/grid_sea.hpp>
+#include <waves/peak.hpp>
 #include <waves/trochoids.hpp>
 #include <waves/whitecaps.hpp>
 
@@ -96,6 +97,7 @@ Result<void> validate(const WavesInfo& info) {
   }
   PELAGIC_CHECK(validate(info.layout, info.loopPeriod));
   PELAGIC_CHECK(validate(info.sea, info.layout));
+  PELAGIC_CHECK(validate(info.gain, info.layout.count));
   if (info.precision != MapPrecision::half && info.precision != MapPrecision::single) {
     return rejectField("WavesInfo::precision", static_cast<int>(info.precision), "be one of the enumerators");
   }
@@ -118,6 +120,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   grid.sea = sea;
   std::array<JacobianSpread, kMaxCascades> spreads{};
   glm::dvec3 slopes(0);
+  ModeEnergies energies;
   for (std::uint32_t c = 0; c < layout.count; ++c) {
     const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);
@@ -132,12 +135,14 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     grid.report.frequencyError = std::max(
         grid.report.frequencyError, frequencyError(modes, layout.cascades[c], layout.size, sea.depth, info.loopPeriod));
     slopes += moments.slopes;
+    energies.add(modes, info.loopPeriod);
   }
 
   SeaReport& report = grid.report;
   report.targetHeight = significantWaveHeight(sea);
   report.gridHeight = 4 * std::sqrt(grid.moments.elevation);
   report.peakPeriod = peakPeriod(sea);
+  report.gridPeakPeriod = gridPeakPeriod(sea, energies);
   report.wavelengthsInPatch = layout.cascades[0].length / longestPeakWavelength(sea);
   report.target = coxMunkSlopes(sea.windSpeed);
   report.grid = alongWind(slopes, sea.windDirection);
@@ -153,6 +158,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     grid.cascades[c].foldThreshold = static_cast<float>(threshold);
     grid.cascades[c].inverseSpread = static_cast<float>(inverseSpread(foaming, c));
   }
+  grid.foamDecline = foamDecline(foaming, threshold);
   return grid;
 }
 

@@ -22,6 +22,7 @@ struct GridSea {
   std::vector<ModeConstants> constants;
   std::array<shader::WaveCascade, kMaxCascades> cascades{};
   SeaMoments moments;
+  double foamDecline = 0;  ///< As in WaveMaps.
   SeaReport report;
 };
 

@@ -79,6 +79,7 @@ GridSea freeze(const SeaChange& change, double time, double loopPeriod) {
     cascade.inverseSpread = glm::mix(before.inverseSpread, cascade.inverseSpread, part);
   }
   sea.moments = change.momentsAt(share);
+  sea.foamDecline = change.foamDeclineAt(share);
   sea.report.unresolved = change.unresolvedAt(share);
   sea.sea.windDirection = change.windDirectionAt(share);
   sea.sea.choppiness = change.choppinessAt(share);
@@ -136,6 +137,10 @@ double SeaChange::windDirectionAt(double share) const noexcept {
 
 double SeaChange::choppinessAt(double share) const noexcept {
   return changing() ? glm::mix(before.sea.choppiness, after.sea.choppiness, share) : after.sea.choppiness;
+}
+
+double SeaChange::foamDeclineAt(double share) const noexcept {
+  return changing() ? glm::mix(before.foamDecline, after.foamDecline, share) : after.foamDecline;
 }
 
 SeaChange changeSea(const SeaChange& now, GridSea next, const SeaTransition& transition, const WavesInfo& info) {

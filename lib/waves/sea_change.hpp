@@ -30,6 +30,7 @@ struct SeaChange {
   /// Of the stronger part: patterns that are drawn along the wind would sweep over the sea if it turned.
   double windDirectionAt(double share) const noexcept;
   double choppinessAt(double share) const noexcept;
+  double foamDeclineAt(double share) const noexcept;
 };
 
 /// From the sea as `now` has it at the start of the transition to `next`; at once, at all times, when that takes no

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <pelagic/query.hpp>
 #include <waves/cpu_lattice.hpp>
+#include <waves/gain_field.hpp>
 #include <waves/trochoids.hpp>
 
 namespace pelagic {
@@ -25,7 +26,7 @@ struct Local {
   glm::vec4 alongZ{0};
 };
 
-void addLocal(const CpuLattice& lattice, const glm::dvec2& point, Local& local) noexcept {
+void addLocal(const CpuLattice& lattice, const Gain& gain, const glm::dvec2& point, Local& local) noexcept {
   const LatticePlace place = lattice.placeOf(point);
   const auto& texels = lattice.texels().displacement;
   const glm::vec4 nearRow = texels[place.corners[1]] - texels[place.corners[0]];
@@ -33,9 +34,10 @@ void addLocal(const CpuLattice& lattice, const glm::dvec2& point, Local& local) 
   const glm::vec4 low = texels[place.corners[0]] + nearRow * place.x;
   const glm::vec4 rise = texels[place.corners[2]] + farRow * place.x - low;
   const auto perMetre = static_cast<float>(lattice.density());
-  local.value += low + rise * place.z;
-  local.alongX += (nearRow + (farRow - nearRow) * place.z) * perMetre;
-  local.alongZ += rise * perMetre;
+  const glm::vec4 value = low + rise * place.z;
+  local.value += gain.value * value;
+  local.alongX += gain.value * (nearRow + (farRow - nearRow) * place.z) * perMetre + gain.alongX * value;
+  local.alongZ += gain.value * rise * perMetre + gain.alongZ * value;
 }
 
 /// The water that is displaced to a place, p + D(p) = place.
@@ -61,7 +63,6 @@ struct SeaQuery::Impl {
   void build(SeaChange change);
   void evolve() noexcept;
   Found find(const glm::dvec2& point) const noexcept;
-  glm::dvec4 sum(std::vector<glm::vec4> LatticeTexels::*map, const glm::dvec2& point) const noexcept;
   SurfacePoint surfaceAt(const glm::dvec2& point) const noexcept;
   double heightAt(const glm::dvec2& point) const noexcept { return find(point).height; }
 };
@@ -98,7 +99,9 @@ Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
   Found found{point, 0};
   for (int i = 0; i < kSteps; ++i) {
     Local local;
-    for (const CpuLattice& lattice : lattices) addLocal(lattice, found.undisplaced, local);
+    for (std::uint32_t c = 0; c < lattices.size(); ++c) {
+      addLocal(lattices[c], gainAt(info.gain, c, found.undisplaced), found.undisplaced, local);
+    }
     const glm::dvec2 miss = found.undisplaced + glm::dvec2(local.value.x, local.value.z) - point;
     const glm::dvec4 x(local.alongX);
     const glm::dvec4 z(local.alongZ);
@@ -112,28 +115,29 @@ Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
   return found;
 }
 
-glm::dvec4 SeaQuery::Impl::sum(std::vector<glm::vec4> LatticeTexels::*map, const glm::dvec2& point) const noexcept {
-  glm::dvec4 total(0);
-  for (const CpuLattice& lattice : lattices) total += glm::dvec4(lattice.placeOf(point).value(lattice.texels().*map));
-  return total;
-}
-
 SurfacePoint SeaQuery::Impl::surfaceAt(const glm::dvec2& point) const noexcept {
   SurfacePoint result;
   const Found found = find(point);
   const glm::dvec2 p = found.undisplaced;
-  const glm::dvec4 d = sum(&LatticeTexels::displacement, p);
-  const glm::dvec4 g = sum(&LatticeTexels::gradient, p);
+  // P_x and P_z of P = (x + Dx, h, z + Dz), where h and D carry a gain that has slopes of its own.
+  glm::dvec3 alongX(1, 0, 0);
+  glm::dvec3 alongZ(0, 0, 1);
+  for (std::uint32_t c = 0; c < lattices.size(); ++c) {
+    const LatticePlace place = lattices[c].placeOf(p);
+    const LatticeTexels& texels = lattices[c].texels();
+    const Gain gain = gainAt(info.gain, c, p);
+    const glm::vec4 d = place.value(texels.displacement);
+    const glm::vec4 g = place.value(texels.gradient);
+    alongX += gain.value * glm::vec3(g.z, g.x, d.w) + gain.alongX * glm::vec3(d);
+    alongZ += gain.value * glm::vec3(d.w, g.y, g.w) + gain.alongZ * glm::vec3(d);
+    result.velocity += gain.value * glm::vec3(place.value(texels.velocity));
+    result.acceleration += gain.value * glm::vec3(place.value(texels.acceleration));
+  }
   result.position = {point.x, found.height, point.y};
   result.undisplaced = p;
-  // P_z x P_x with P = (x + Dx, h, z + Dz).
-  const glm::dvec3 alongX(1 + g.z, g.x, d.w);
-  const glm::dvec3 alongZ(d.w, g.y, 1 + g.w);
   const glm::dvec3 normal = glm::cross(alongZ, alongX);
   const double length = glm::length(normal);
   if (length > 0) result.normal = normal / length;
-  result.velocity = glm::dvec3(sum(&LatticeTexels::velocity, p));
-  result.acceleration = glm::dvec3(sum(&LatticeTexels::acceleration, p));
   return result;
 }
 
@@ -156,6 +160,12 @@ Result<void> SeaQuery::setSea(const SeaState& sea, const SeaTransition& transiti
   PELAGIC_CHECK(validate(sea, impl_->info.layout));
   PELAGIC_CHECK(validate(transition));
   impl_->build(changeSea(impl_->sea, makeGridSea(sea, impl_->info), transition, impl_->info));
+  return {};
+}
+
+Result<void> SeaQuery::setGain(const GainMap& map) {
+  PELAGIC_CHECK(validate(map, impl_->info.layout.count));
+  impl_->info.gain = map;
   return {};
 }
 
@@ -195,7 +205,7 @@ std::optional<SurfacePoint> SeaQuery::intersect(const glm::dvec3& origin, const 
     return p.y - sea.heightAt({p.x, p.z});
   };
   // No crest stands beyond `top`: outside the layer between -top and top there is nothing to meet.
-  const double top = 6 * sea.deviation + 1e-3;
+  const double top = 6 * sea.deviation * largestGain(sea.info.gain) + 1e-3;
   double from = 0;
   double to = std::min(reach, 2 * kFarthest);
   if (std::abs(origin.y) > top) {

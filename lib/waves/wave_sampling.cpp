@@ -19,6 +19,9 @@ shader::WaveSampling waveSampling(const WaveMaps& maps, const glm::dvec2& origin
   const auto& [up, cross] = maps.unresolved;
   sampling.unresolved = glm::vec4(glm::dvec4(up * c * c + cross * s * s, up * s * s + cross * c * c,
                                              (up - cross) * c * s, maps.elevationDeviation));
+  const double perMetre = 1 / maps.gainSpacing;
+  const glm::dvec2 gainPlace = (origin - maps.gainOrigin) * perMetre;
+  sampling.gain = glm::vec4(glm::dvec4(perMetre, gainPlace, maps.foamDecline));
   sampling.cascades = maps.layout.count;
   sampling.size = maps.layout.size;
   sampling.choppiness = static_cast<float>(maps.choppiness);

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <optional>
 #include <waves/filter.hpp>
+#include <waves/gain_field.hpp>
+#include <waves/gain_image.hpp>
 #include <waves/trochoids.hpp>
 
 namespace pelagic {
@@ -28,7 +30,12 @@ struct Waves::Impl {
   SeaChange sea;                    ///< As recorded last, or for the first time.
   std::optional<SeaChange> wanted;  ///< By setSea(), for the next record().
   double shown = 0;                 ///< Time recorded last [s].
+  GainMap gain;                     ///< As recorded last, or for the first time.
+  std::optional<GainMap> newGain;   ///< By setGain(), for the next record().
+  double largestGain = 1;
+  bool gainUploaded = false;
   WaveImages images;
+  GainImage gainImage;
   WaveTransform transform;
   WaveFilter filter;
   std::uint32_t newest = 0;  ///< Of images.displacement.
@@ -64,6 +71,9 @@ Result<Waves> Waves::create(Device& device, const WavesInfo& info) {
   impl->sea.after = makeGridSea(info.sea, info);
   PELAGIC_TRY(images, createWaveImages(*impl->context, info));
   impl->images = std::move(images);
+  PELAGIC_TRY(gainImage, GainImage::create(*impl->context, info));
+  impl->gainImage = std::move(gainImage);
+  impl->gain = std::move(impl->info.gain);
   PELAGIC_TRY(transform, WaveTransform::create(*impl->context, info, impl->images));
   impl->transform = std::move(transform);
   PELAGIC_TRY(filter, WaveFilter::create(*impl->context, info, impl->images));
@@ -79,7 +89,29 @@ Result<void> Waves::setSea(const SeaState& sea, const SeaTransition& transition)
   return {};
 }
 
+Result<void> Waves::setGain(const GainMap& map) {
+  PELAGIC_CHECK(validate(map, impl_->info.layout.count));
+  const GainMap& present = impl_->gain;
+  if (map.width != present.width || map.height != present.height) {
+    const auto size = [](const GainMap& of) { return std::to_string(of.width) + " x " + std::to_string(of.height); };
+    return gpu::reject("GainMap has " + size(map) + " samples, it must have " + size(present) +
+                       " as the one that the simulation was created with");
+  }
+  impl_->newGain = map;
+  return {};
+}
+
 void Waves::Impl::recordUpload(vk::CommandBuffer commands) noexcept {
+  if (newGain) {
+    std::swap(gain, *newGain);
+    newGain.reset();
+    gainUploaded = false;
+  }
+  if (!gainUploaded) {
+    gainImage.upload(commands, gain, slot);
+    largestGain = pelagic::largestGain(gain);
+    gainUploaded = true;
+  }
   if (wanted) {
     std::swap(sea, *wanted);
     wanted.reset();
@@ -175,14 +207,18 @@ WaveMaps Waves::maps() const noexcept {
   maps.gradient = images.gradient.map();
   maps.moments = images.moments.map();
   maps.foam = images.foam.map();
+  maps.gain = impl_->gainImage.map();
+  maps.gainOrigin = impl_->gain.origin;
+  maps.gainSpacing = impl_->gain.spacing;
   maps.layout = impl_->info.layout;
   const double share = impl_->sea.share(impl_->shown).value;
   const SeaMoments moments = impl_->sea.momentsAt(share);
   maps.windDirection = impl_->sea.windDirectionAt(share);
   maps.unresolved = impl_->sea.unresolvedAt(share);
   maps.slopeCovariance = moments.slopes;
-  maps.elevationDeviation = std::sqrt(moments.elevation);
-  maps.horizontalDeviation = std::sqrt(moments.horizontal);
+  maps.elevationDeviation = impl_->largestGain * std::sqrt(moments.elevation);
+  maps.horizontalDeviation = impl_->largestGain * std::sqrt(moments.horizontal);
+  maps.foamDecline = impl_->sea.foamDeclineAt(share);
   maps.choppiness = impl_->sea.choppinessAt(share);
   return maps;
 }

@@ -94,6 +94,20 @@ double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noe
   return sum;
 }
 
+double foamDecline(std::span<const JacobianSpread> bands, double threshold) noexcept {
+  constexpr double kLull = 0.8;
+  std::vector<JacobianSpread> calmer(bands.begin(), bands.end());
+  for (JacobianSpread& band : calmer) {
+    band.deviation *= kLull;
+    band.rate *= kLull;
+  }
+  const double foam = expectedFoam(bands, threshold);
+  const double less = expectedFoam(calmer, threshold);
+  // Where nothing breaks, nothing declines.
+  constexpr double kFastest = 100;
+  return less > 0 ? std::min(kFastest, std::log(foam / less) / (1 / (kLull * kLull) - 1)) : foam > 0 ? kFastest : 0;
+}
+
 double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept {
   constexpr double kNever = -1e6;
   const double deviation = totalDeviation(bands);

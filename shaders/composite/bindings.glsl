@@ -25,6 +25,7 @@ layout(binding = 13) uniform writeonly image2D outputImage;
 layout(binding = 14) uniform writeonly image2D normalImage;
 layout(binding = 15) uniform writeonly image2D slopeVarianceImage;
 layout(binding = 16) uniform writeonly image2D mergedDepthImage;
+layout(binding = 18) uniform sampler2DArray gainMap;
 layout(binding = 17, std430) readonly buffer Fresnel { float fresnelTable[]; };
 
 // Largest value written: half floats end at 65504.

@@ -3,9 +3,14 @@
 #define PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #include "composite/footprint.glsl"
 #include "pelagic/shader/wave_lookup.glsl"
+#include "pelagic/shader/wave_gain.glsl"
 
 // One pipeline for tiles with foam, one without.
 layout(constant_id = 4) const bool kFoaming = false;
+layout(constant_id = 5) const bool kGain = false;
+
+// Gain of a cascade's waves. What it adds to their slopes by its own is left out: its slope times the height.
+float gainAt(vec2 p, uint cascade) { return kGain ? waveGain(gainMap, frame.waves.gain, p, cascade) : 1.0; }
 
 struct SeaPoint {
   vec2 slope;        // mean, of the displaced surface
@@ -36,16 +41,21 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
     vec4 m = textureLod(momentsMap, place, lod);
     // Toward the end of what is resolved, all goes over into the expected variance.
     float kept = clamp(endLod - lod, 0.0, 1.0);
-    gradient += kept * g;
-    moments += vec4(mix(frame.waves.slopeCovariance[c].xyz, m.xyz, kept), kept * m.w);
+    float gain = gainAt(p, c);
+    gradient += kept * gain * g;
+    moments += gain * vec4(gain * mix(frame.waves.slopeCovariance[c].xyz, m.xyz, kept), kept * m.w);
   } while (++c < cascades);
-  for (; c < frame.waves.cascades; ++c) moments.xyz += frame.waves.slopeCovariance[c].xyz;
+  for (; c < frame.waves.cascades; ++c) {
+    float gain = gainAt(p, c);
+    moments.xyz += gain * gain * frame.waves.slopeCovariance[c].xyz;
+  }
   if (kFoaming) {
     do {
       uint foamy = uint(findLSB(foaming));
       vec4 placement = frame.waves.placement[foamy];
       float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
-      foamFree *= 1.0 - textureLod(foamMap, vec3(waveUv(placement, p), float(foamy)), lod).r;
+      float fresh = textureLod(foamMap, vec3(waveUv(placement, p), float(foamy)), lod).r;
+      foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);
   }
@@ -60,7 +70,9 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   sea.slope = vec2(zz * gradient.x - xz * gradient.y, xx * gradient.y - xz * gradient.x) / jacobian;
   sea.slope *= min(1.0, 1.2 * inversesqrt(max(dot(sea.slope, sea.slope), 1e-8)));  // crests break before they are steeper
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
-  sea.residual = moments.xyz + frame.waves.unresolved.xyz;
+  // Waves that no cascade holds are like the shortest that one does.
+  float shortest = gainAt(p, frame.waves.cascades - 1u);
+  sea.residual = moments.xyz + shortest * shortest * frame.waves.unresolved.xyz;
   sea.compression = -(gradient.z + gradient.w);
   sea.foam = 1.0 - foamFree;
   return sea;

@@ -105,6 +105,7 @@ PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int step
 // Share of the sun's disc above a straight edge, `elevation` of its centre above the edge.
 PELAGIC_AIR_FORMULA float sunDiscShare(float elevation) {
   float x = clamp(elevation / kSunAngularRadius, -1.0f, 1.0f);
+  if (x == -1.0f) return 0.0f;  // asin() of a device may leave a little
   return 0.5f + (x * sqrt(1.0f - x * x) + asin(x)) / kAirPi;
 }
 

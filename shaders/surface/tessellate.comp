@@ -4,10 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface/surface_frame.h"
 #include "pelagic/shader/wave_lookup.glsl"
+#include "pelagic/shader/wave_gain.glsl"
 #include "surface/earth.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool kMotion = false;
+layout(constant_id = 1) const bool kGain = false;
 
 layout(set = 0, binding = 0, std430) readonly buffer Frame { SurfaceFrame frame; };
 layout(set = 0, binding = 1, std430) readonly buffer Rows { vec2 rows[]; };
@@ -17,6 +19,7 @@ layout(set = 0, binding = 3) uniform sampler2DArray previousDisplacement;
 layout(set = 0, binding = 4, std430) writeonly buffer Vertices { vec4 vertices[]; };
 // Of every block: 1 when it is in the picture.
 layout(set = 0, binding = 5, std430) writeonly buffer Flags { uint flags[]; };
+layout(set = 0, binding = 6) uniform sampler2DArray gainMap;
 
 shared uint outside;  // bits of what every vertex of the block lies outside of
 
@@ -29,7 +32,8 @@ vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), footprint);
     // The last mip is the patch's mean, which is zero.
-    if (lod < frame.waves.maxLod) sum += textureLod(map, vec3(waveUv(placement, p), float(c)), lod).xyz;
+    float gain = kGain ? waveGain(gainMap, frame.waves.gain, p, c) : 1.0;
+    if (lod < frame.waves.maxLod) sum += gain * textureLod(map, vec3(waveUv(placement, p), float(c)), lod).xyz;
   } while (++c < frame.waves.cascades);
   return sum;
 }

@@ -119,6 +119,53 @@ TEST(GridSea, SaysWhenThePatchesAreTooShort) {
   EXPECT_LT(tooShort.wavelengthsInPatch, 1);
 }
 
+TEST(GridSea, ReportsSlopesAlongTheWind) {
+  WavesInfo info;
+  info.sea.windDirection = 0.6;
+  info.layout = layoutOf(info.sea, 3, 128);
+  const SeaReport report = makeGridSea(info.sea, info).report;
+  const double kMax = info.layout.cascades[2].kMax;
+  const SlopeVariance expected = slopeVariance(info.sea, 0, kMax);
+  ASSERT_GT(expected.upwind, 1.1 * expected.crosswind);
+  EXPECT_NEAR(report.grid.upwind / expected.upwind, 1, 0.01);
+  EXPECT_NEAR(report.grid.crosswind / expected.crosswind, 1, 0.01);
+  const SlopeVariance measured = coxMunkSlopes(8);
+  EXPECT_NEAR(report.unresolved.upwind, measured.upwind - report.grid.upwind, 1e-12);
+  EXPECT_NEAR(report.unresolved.crosswind, measured.crosswind - report.grid.crosswind, 1e-12);
+}
+
+TEST(GridSea, SaysHowFarALoopBendsFrequencies) {
+  // Whole cycles in a loop T bend the frequency of a wave by pi / (T w) at most; the worst comes near it at long waves.
+  WavesInfo info;
+  info.layout = layoutOf(info.sea, 1, 64);
+  info.loopPeriod = 30;
+  const double dk = kTwoPi / info.layout.cascades[0].length;
+  double worst = 0;
+  for (int x = 0; x < 32; ++x) {
+    for (int z = 0; z < 32; ++z) {
+      const double k = dk * std::hypot(x, z);
+      if (k == 0 || k >= info.layout.cascades[0].kMax) continue;
+      const double cycles = angularFrequency(k, info.sea.depth) * 30 / kTwoPi;
+      worst = std::max(worst, std::abs(std::max(1.0, std::round(cycles)) / cycles - 1));
+    }
+  }
+  ASSERT_GT(worst, 0.01);
+  EXPECT_NEAR(makeGridSea(info.sea, info).report.frequencyError, worst, 1e-9);
+}
+
+TEST(GridSea, KeepsFoamOfWavesLongerThanAMetre) {
+  // A band counts by its middle, the geometric mean of its edges: 2 pi rad/m is a wave of a metre.
+  WaveLayout layout;
+  layout.count = 3;
+  layout.cascades[0] = {100, 0, 1};
+  layout.cascades[1] = {10, 1, 0.99 * kTwoPi * kTwoPi};
+  layout.cascades[2] = {1, layout.cascades[1].kMax, 300};
+  EXPECT_EQ(foamCascades(layout), 2u);
+  layout.cascades[1].kMax = 1.01 * kTwoPi * kTwoPi;
+  layout.cascades[2].kMin = layout.cascades[1].kMax;
+  EXPECT_EQ(foamCascades(layout), 1u);
+}
+
 TEST(Modes, AmplitudesAreGaussianWithTheExpectedVariance) {
   const SeaState sea;
   const WaveLayout layout = layoutOf(sea);

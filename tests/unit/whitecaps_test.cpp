@@ -81,6 +81,81 @@ TEST(Whitecaps, JacobianSpreadIsTheSumOverModes) {
   EXPECT_LE(spread.curvature, 0.25);
 }
 
+TEST(Whitecaps, OtherBandsSoftenTheEdges) {
+  const std::array<JacobianSpread, 3> bands{{{0.3, 1, 0}, {0.4, 1, 0}, {1.2, 1, 0}}};
+  EXPECT_NEAR(pelagic::inverseSpread(bands, 2), 1 / 0.5, 1e-12);
+  EXPECT_NEAR(pelagic::inverseSpread(bands, 1), 1 / std::hypot(0.3, 1.2), 1e-12);
+  EXPECT_NEAR(pelagic::inverseSpread(std::span(bands).first(1), 0), 4 / 0.3, 1e-12);  // alone: a quarter of its own
+}
+
+TEST(Whitecaps, ExpectedFoamIsTheShareThatBreaksAndWhatFades) {
+  // Water breaks where a normal Jacobian is below 1 - x deviations, a share Phi(-x); its edge is a sixteenth of a
+  // deviation wide. Rice (1944): that begins rate / (2 pi deviation) exp(-x^2 / 2) times a second, and the foam of each
+  // time fades linearly. expectedFoam lets three quarters of it overlap independently.
+  constexpr double kDeviation = 0.1, kTwoPi = 6.28318530717959;
+  for (const double x : {0.0, 0.5, 1.0}) {
+    for (const double frequency : {0.0, 0.4}) {
+      const std::array<JacobianSpread, 1> band{{{kDeviation, frequency * kDeviation, 0}}};
+      const double breaking = 0.5 * std::erfc(x / std::sqrt(2.0));
+      const double fading = 0.5 * pelagic::kFoamLifetime * frequency / kTwoPi * std::exp(-0.5 * x * x);
+      const double expected = 1 - std::exp(-0.75 * (breaking + fading));
+      EXPECT_NEAR(pelagic::expectedFoam(band, 1 - x * kDeviation) / expected, 1, 0.02) << x << ' ' << frequency;
+    }
+  }
+}
+
+TEST(Whitecaps, FoamDeclinesWithTheGainAsTheTailOfTheNormalDistribution) {
+  const std::array<JacobianSpread, 2> bands{{{0.12, 0.1, 0.1}, {0.2, 0.4, 0.1}}};
+  for (const double cover : {0.002, 0.02}) {
+    const double threshold = pelagic::foldThreshold(bands, cover);
+    const double w = pelagic::foamDecline(bands, threshold);
+    for (const double gain : {0.7, 0.8, 0.9, 1.1}) {
+      std::array<JacobianSpread, 2> scaled = bands;
+      for (JacobianSpread& band : scaled) {
+        band.deviation *= gain;
+        band.rate *= gain;
+      }
+      const double foam = pelagic::expectedFoam(scaled, threshold) / cover;
+      EXPECT_NEAR(std::exp(-w * (1 / (gain * gain) - 1)) / foam, 1, gain == 0.8 ? 0.01 : 0.25) << cover << ' ' << gain;
+    }
+  }
+  EXPECT_EQ(pelagic::foamDecline({}, 1), 0);
+}
+
+/// Modes of a cascade 2 pi long, all of one stretch k^2 chop = 1.
+struct Wave {
+  int x, z;
+  double variance;
+  std::uint32_t cycles;
+};
+JacobianSpread spreadOf(std::initializer_list<Wave> waves, double loopPeriod) {
+  constexpr std::uint32_t kSize = 64;
+  pelagic::CascadeModes modes;
+  modes.variance.assign(kSize * kSize, 0);
+  modes.constants.assign(kSize * kSize, {});
+  for (const Wave& wave : waves) {
+    const std::size_t index = static_cast<std::size_t>((wave.z + 64) % 64 * 64 + (wave.x + 64) % 64);
+    modes.variance[index] = wave.variance;
+    modes.constants[index] = {wave.cycles, 1.0f / static_cast<float>(wave.x * wave.x + wave.z * wave.z)};
+  }
+  return pelagic::jacobianSpread(modes, {2 * 3.14159265358979, 0, 100}, kSize, loopPeriod);
+}
+
+TEST(Whitecaps, CurvatureIsThatOfCrossingWaves) {
+  // Water that waves of one direction squeeze has a Jacobian linear in s, whatever the direction.
+  EXPECT_NEAR(spreadOf({{3, 4, 0.01, 5}}, 100).curvature, 0, 1e-6);
+  EXPECT_NEAR(spreadOf({{6, -3, 0.01, 5}}, 100).curvature, 0, 1e-6);
+  // Of two that cross at right angles, shares p and 1 - p of the variance, J = (1 + a)(1 + b): E[ab | a + b = s] is
+  // p (1 - p) (s^2 - deviation^2).
+  const JacobianSpread crossing = spreadOf({{5, 0, 0.003, 20}, {0, 5, 0.001, 10}}, 100);
+  EXPECT_NEAR(crossing.curvature, 3.0 / 16, 1e-6);
+  EXPECT_NEAR(spreadOf({{3, 4, 0.003, 20}, {4, -3, 0.001, 10}}, 100).curvature, 3.0 / 16, 1e-6);
+  // Variances of s and of its rate: sums over the waves.
+  constexpr double kTwoPi = 6.28318530717959;
+  EXPECT_NEAR(crossing.deviation, std::sqrt(0.004), 1e-7);
+  EXPECT_NEAR(crossing.rate, kTwoPi * std::sqrt(0.003 * 0.2 * 0.2 + 0.001 * 0.1 * 0.1), 1e-7);
+}
+
 TEST(Whitecaps, AStillSeaNeverBreaks) {
   const std::array<JacobianSpread, 2> still{};
   const double threshold = pelagic::foldThreshold(still, 0.1);

@@ -12,6 +12,9 @@ struct WaveSampling {
   vec4 slopeCovariance[8];
   // Slope covariance that no cascade resolves, as above; w standard deviation of the elevation [m].
   vec4 unresolved;
+  // Of the map of gains, if there is one: x samples per metre, yz the origin's place in samples; w how fast foam falls
+  // with the gain (foamOfGain()).
+  vec4 gain;
   uint cascades;
   uint size;         // samples along a side
   float choppiness;  // [1]
