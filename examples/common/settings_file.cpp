@@ -61,8 +61,10 @@ std::string keys(const Fields& fields) {
 std::string readTextFile(const std::string& option, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || !text) refuse(option, path, "a file that can be read");
+  // An empty file is one, though operator<< calls it a failure to have copied nothing.
+  const bool empty = file && file.peek() == std::ifstream::traits_type::eof() && !file.bad();
+  if (file && !empty) text << file.rdbuf();
+  if (!empty && (!file || !text)) refuse(option, path, "a file that can be read");
   return text.str();
 }
 

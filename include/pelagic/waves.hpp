@@ -143,6 +143,7 @@ class Waves {
   std::vector<double> modeVariance(std::uint32_t cascade) const;
 
  private:
+  friend class PointQuery;
   struct Impl;
   explicit Waves(std::unique_ptr<Impl> impl) noexcept;
   std::unique_ptr<Impl> impl_;

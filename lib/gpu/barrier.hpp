@@ -14,6 +14,9 @@ inline constexpr BufferState kComputeRead{vk::PipelineStageFlagBits2::eComputeSh
                                           vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 inline constexpr BufferState kComputeWrite{vk::PipelineStageFlagBits2::eComputeShader,
                                            vk::AccessFlagBits2::eShaderStorageWrite};
+inline constexpr BufferState kComputeTexelRead{vk::PipelineStageFlagBits2::eComputeShader,
+                                               vk::AccessFlagBits2::eShaderSampledRead};
+inline constexpr BufferState kHostRead{vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead};
 inline constexpr BufferState kTransferWrite{vk::PipelineStageFlagBits2::eAllTransfer,
                                             vk::AccessFlagBits2::eTransferWrite};
 inline constexpr BufferState kIndirectRead{vk::PipelineStageFlagBits2::eDrawIndirect,

@@ -8,11 +8,19 @@ namespace pelagic::gpu {
 namespace {
 
 Result<Memory> allocate(Context& context, Stage stage, std::string_view name, const vk::MemoryRequirements& needs,
-                        vk::MemoryPropertyFlags required, const void* next) {
+                        vk::MemoryPropertyFlags required, const void* next, vk::MemoryPropertyFlags preferred = {}) {
   const auto& properties = context.memoryProperties;
-  for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
-    const bool allowed = (needs.memoryTypeBits >> type & 1u) != 0;
-    if (!allowed || (properties.memoryTypes[type].propertyFlags & required) != required) continue;
+  const auto find = [&](vk::MemoryPropertyFlags flags) {
+    std::uint32_t type = 0;
+    while (type < properties.memoryTypeCount && ((needs.memoryTypeBits >> type & 1u) == 0 ||
+                                                 (properties.memoryTypes[type].propertyFlags & flags) != flags)) {
+      ++type;
+    }
+    return type;
+  };
+  std::uint32_t type = find(required | preferred);
+  if (type == properties.memoryTypeCount) type = find(required);
+  if (type < properties.memoryTypeCount) {
     auto memory = context.device.allocateMemoryUnique(vk::MemoryAllocateInfo(needs.size, type, next),
                                                       context.allocator(), context.dispatch);
     if (memory.result != vk::Result::eSuccess) {
@@ -58,17 +66,19 @@ Result<Buffer> Buffer::create(Context& context, Stage stage, std::string_view na
   if (buffer.result != vk::Result::eSuccess) return fail(buffer.result, "create the buffer " + std::string(name));
   result.buffer_ = std::move(buffer.value);
   context.name(*result.buffer_, name);
-  const bool upload = placement == Placement::upload;
+  const bool mappable = placement != Placement::device;
   const vk::MemoryPropertyFlags required =
-      upload ? vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent
-             : vk::MemoryPropertyFlags(vk::MemoryPropertyFlagBits::eDeviceLocal);
+      mappable ? vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent
+               : vk::MemoryPropertyFlags(vk::MemoryPropertyFlagBits::eDeviceLocal);
+  const auto preferred =
+      placement == Placement::readback ? vk::MemoryPropertyFlagBits::eHostCached : vk::MemoryPropertyFlagBits{};
   const auto needs = context.device.getBufferMemoryRequirements(*result.buffer_, context.dispatch);
-  PELAGIC_TRY(memory, allocate(context, stage, name, needs, required, nullptr));
+  PELAGIC_TRY(memory, allocate(context, stage, name, needs, required, nullptr, preferred));
   result.memory_ = std::move(memory);
   result.size_ = size;
   const auto bound = context.device.bindBufferMemory(*result.buffer_, result.memory_.handle(), 0, context.dispatch);
   if (bound != vk::Result::eSuccess) return fail(bound, "bind memory to the buffer " + std::string(name));
-  if (upload) {
+  if (mappable) {
     auto mapped = context.device.mapMemory(result.memory_.handle(), 0, VK_WHOLE_SIZE, {}, context.dispatch);
     if (mapped.result != vk::Result::eSuccess) return fail(mapped.result, "map the buffer " + std::string(name));
     result.mapped_ = mapped.value;

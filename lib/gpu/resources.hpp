@@ -32,7 +32,8 @@ struct BufferState {
 
 class Buffer {
  public:
-  enum class Placement { device, upload };  ///< upload: host-visible, coherent and mapped.
+  /// upload and readback: host-visible, coherent and mapped; readback: cached as well where there is such memory.
+  enum class Placement { device, upload, readback };
   static Result<Buffer> create(Context& context, Stage stage, std::string_view name, vk::DeviceSize size,
                                vk::BufferUsageFlags usage, Placement placement = Placement::device);
   vk::Buffer handle() const noexcept { return *buffer_; }

@@ -1,3 +1,5 @@
+#include <shared/query.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gpu/context.hpp>
@@ -5,19 +7,11 @@
 #include <pelagic/query.hpp>
 #include <waves/cpu_lattice.hpp>
 #include <waves/gain_field.hpp>
+#include <waves/surface_ray.hpp>
 #include <waves/trochoids.hpp>
 
 namespace pelagic {
 namespace {
-
-/// Newton's iteration takes this many steps at most, and ends with the step from a point that misses by less than kMiss
-/// [m], after which what is left is far smaller: the surface is linear between texels but for a bilinear term.
-constexpr int kSteps = 16;
-constexpr double kMiss = 1e-4;
-/// The least determinant that a step divides by: where water is folded over, steps stay short.
-constexpr double kLeastJacobian = 0.2;
-/// Farther from the origin a point is not where it was asked for.
-constexpr double kFarthest = 1e9;
 
 /// (Dx, h, Dz, dDz/dx) at a point of the undisplaced plane, and its slope between the texels there.
 struct Local {
@@ -96,8 +90,10 @@ void SeaQuery::Impl::evolve() noexcept {
 }
 
 Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
+  constexpr auto kLeastJacobian = static_cast<double>(shader::kLeastJacobian);
+  constexpr auto kLeastMiss = static_cast<double>(shader::kLeastMiss);
   Found found{point, 0};
-  for (int i = 0; i < kSteps; ++i) {
+  for (std::uint32_t i = 0; i < shader::kNewtonSteps; ++i) {
     Local local;
     for (std::uint32_t c = 0; c < lattices.size(); ++c) {
       addLocal(lattices[c], gainAt(info.gain, c, found.undisplaced), found.undisplaced, local);
@@ -110,7 +106,7 @@ Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
         glm::dvec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
     found.undisplaced += step;
     found.height = static_cast<double>(local.value.y) + x.y * step.x + z.y * step.y;
-    if (glm::dot(miss, miss) < kMiss * kMiss) break;
+    if (glm::dot(miss, miss) < kLeastMiss * kLeastMiss) break;
   }
   return found;
 }
@@ -175,14 +171,6 @@ void SeaQuery::setTime(double time) noexcept {
   impl_->evolve();
 }
 
-namespace {
-
-bool onEarth(const glm::dvec2& point) noexcept {
-  return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // false for NaN
-}
-
-}  // namespace
-
 SurfacePoint SeaQuery::at(const glm::dvec2& point) const noexcept {
   if (onEarth(point)) return impl_->surfaceAt(point);
   SurfacePoint none;
@@ -197,26 +185,17 @@ double SeaQuery::heightAt(const glm::dvec2& point) const noexcept {
 std::optional<SurfacePoint> SeaQuery::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                                                 double reach) const noexcept {
   const Impl& sea = *impl_;
-  const double length = glm::length(direction);
-  if (!(length > 0 && std::isfinite(length) && reach >= 0 && std::isfinite(origin.y))) return {};
-  const glm::dvec3 d = direction / length;
+  const std::optional<RayPart> part = partAtSea(origin, direction, reach, sea.deviation * largestGain(sea.info.gain));
+  if (!part) return {};
+  const glm::dvec3 d = part->direction;
   const auto gap = [&](double t) {
     const glm::dvec3 p = origin + t * d;
     return p.y - sea.heightAt({p.x, p.z});
   };
-  // No crest stands beyond `top`: outside the layer between -top and top there is nothing to meet.
-  const double top = 6 * sea.deviation * largestGain(sea.info.gain) + 1e-3;
-  double from = 0;
-  double to = std::min(reach, 2 * kFarthest);
-  if (std::abs(origin.y) > top) {
-    if (origin.y * d.y >= 0) return {};
-    from = (std::abs(origin.y) - top) / std::abs(d.y);
-  }
-  if (d.y != 0) to = std::min(to, ((d.y > 0 ? top : -top) - origin.y) / d.y);
-  // No face is steeper than `kSteepest` for longer than a step of half a cell.
-  constexpr double kSteepest = 1.5;
-  const double speed = std::abs(d.y) + kSteepest * std::hypot(d.x, d.z);
-  double t = from;
+  constexpr auto kSteepestFace = static_cast<double>(shader::kSteepestFace);
+  const double speed = std::abs(d.y) + kSteepestFace * std::hypot(d.x, d.z);
+  const double to = part->to;
+  double t = part->from;
   double g = gap(t);
   const bool above = g >= 0;
   while (t < to) {

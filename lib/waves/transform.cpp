@@ -15,9 +15,6 @@ namespace {
 using vk::DescriptorType;
 using Usage = vk::BufferUsageFlagBits;
 
-constexpr gpu::BufferState kTexelRead{vk::PipelineStageFlagBits2::eComputeShader,
-                                      vk::AccessFlagBits2::eShaderSampledRead};
-
 /// Lines of a work-group: 8 neighbouring columns where 32 KiB of shared memory hold them.
 std::uint32_t columnsPerGroup(std::uint32_t size) noexcept { return std::min(8u, 2048 / size); }
 /// As many rows as fit beside the padding of the exchange.
@@ -219,8 +216,8 @@ void WaveTransform::upload(vk::CommandBuffer commands, const SeaChange& sea, std
   copy(constants_, sea.after.constants, sea.before.constants);
   gpu::Barrier()
       .buffer(cascades_, gpu::kComputeRead)
-      .buffer(amplitudes_, kTexelRead)
-      .buffer(constants_, kTexelRead)
+      .buffer(amplitudes_, gpu::kComputeTexelRead)
+      .buffer(constants_, gpu::kComputeTexelRead)
       .record(*context_, commands);
 }
 
@@ -231,7 +228,7 @@ void WaveTransform::recordRowPass(vk::CommandBuffer commands, const gpu::Compute
   pass.push(commands, shader::WaveRowsPush{static_cast<std::uint32_t>(moment.fraction >> 32),
                                            static_cast<std::uint32_t>(moment.fraction), moment.share});
   pass.dispatch(commands, 1, gpu::groups(2 * band_, rowsPerGroup_), cascades);
-  gpu::Barrier().buffer(planes_, kTexelRead).record(*context_, commands);
+  gpu::Barrier().buffer(planes_, gpu::kComputeTexelRead).record(*context_, commands);
 }
 
 void WaveTransform::recordFoamTick(vk::CommandBuffer commands, const SeaMoment& moment, bool keep) noexcept {

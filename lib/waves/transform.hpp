@@ -35,6 +35,18 @@ class WaveTransform {
   /// `fade`: decay of the foam since the last tick, 0 ... 1 / kFoamSteps.
   void recordColumns(vk::CommandBuffer commands, const SeaMoment& moment, std::uint32_t target, float fade) noexcept;
 
+  /// For further passes over the same modes.
+  struct Shared {
+    vk::BufferView amplitudes, constants, planesView;
+    const gpu::Buffer* cascades;
+    gpu::Buffer* planes;  ///< Of the rows; nothing in them lasts from one record to the next.
+    std::uint32_t size, count, band, rowsPerGroup, columnsPerGroup;
+  };
+  Shared shared() noexcept {
+    return {*amplitudesView_, *constantsView_, *planesView_,  &cascades_,      &planes_, size_,
+            count_,           band_,           rowsPerGroup_, columnsPerGroup_};
+  }
+
  private:
   Result<void> createBuffers(gpu::Context& context, const WavesInfo& info);
   Result<void> createPasses(gpu::Context& context, const WavesInfo& info);

@@ -1,16 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <waves/filter.hpp>
 #include <waves/gain_field.hpp>
-#include <waves/gain_image.hpp>
 #include <waves/trochoids.hpp>
+#include <waves/waves_impl.hpp>
 
 namespace pelagic {
 namespace {
-
-/// The foam's clock: one tick takes one step of decay [s]. A loop has a whole number of ticks, of about this length.
-constexpr double kFoamTick = kFoamLifetime / shader::kFoamSteps;
 
 constexpr ImageState kImageClear{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
@@ -23,40 +18,6 @@ void end(Timings* timings, VkCommandBuffer commands) noexcept {
 }
 
 }  // namespace
-
-struct Waves::Impl {
-  gpu::Context* context = nullptr;
-  WavesInfo info;
-  SeaChange sea;                    ///< As recorded last, or for the first time.
-  std::optional<SeaChange> wanted;  ///< By setSea(), for the next record().
-  double shown = 0;                 ///< Time recorded last [s].
-  GainMap gain;                     ///< As recorded last, or for the first time.
-  std::optional<GainMap> newGain;   ///< By setGain(), for the next record().
-  double largestGain = 1;
-  bool gainUploaded = false;
-  WaveImages images;
-  GainImage gainImage;
-  WaveTransform transform;
-  WaveFilter filter;
-  std::uint32_t newest = 0;  ///< Of images.displacement.
-  std::uint32_t slot = 0;    ///< Of the staging buffers.
-  bool uploaded = false;
-  bool recorded = false;
-  bool hasFoam = false;
-  double foamTick = 0;  ///< The last tick that the foam history holds, when hasFoam.
-
-  double foamTickLength() const noexcept { return info.loopPeriod / std::round(info.loopPeriod / kFoamTick); }
-  /// Ticks since the loop began.
-  double foamClock(double time) const noexcept;
-  const SeaChange& latest() const noexcept { return wanted ? *wanted : sea; }
-  SeaMoment momentOf(double at) const noexcept {
-    return {loopFraction(at, info.loopPeriod), sea.changing(), static_cast<float>(sea.share(at).value)};
-  }
-  void recordUpload(vk::CommandBuffer commands) noexcept;
-  void clearFoam(vk::CommandBuffer commands) noexcept;
-  void recordFoam(vk::CommandBuffer commands, double time) noexcept;
-  void recordMaps(vk::CommandBuffer commands, double time, Timings* timings) noexcept;
-};
 
 Waves::Waves(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 Waves::Waves(Waves&&) noexcept = default;
@@ -187,11 +148,10 @@ void Waves::record(VkCommandBuffer handle, double time, Timings* timings) noexce
   begin(timings, commands, "waves foam");
   impl_->recordFoam(commands, time);
   end(timings, commands);
-  if (!impl_->recorded) {
+  if (impl_->recordings++ == 0) {
     impl_->clearFoam(commands);  // the short cascades' layers stay so
     // Nothing moved before the first frame: both displacement maps show it.
     impl_->recordMaps(commands, time, nullptr);
-    impl_->recorded = true;
   }
   impl_->shown = time;
   impl_->newest = 1 - impl_->newest;

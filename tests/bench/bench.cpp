@@ -38,10 +38,15 @@ void Results::printRatios() const {
 }
 
 void measure(benchmark::State& state, Setup& setup, std::vector<double>& samples,
-             const std::function<void(vk::CommandBuffer)>& record) {
-  setup.gpu.run(record);
+             const std::function<void(vk::CommandBuffer)>& record,
+             const std::function<void(vk::CommandBuffer)>& before) {
+  setup.gpu.run([&](vk::CommandBuffer commands) {
+    if (before) before(commands);
+    record(commands);
+  });
   for (auto _ : state) {
     setup.gpu.run([&](vk::CommandBuffer commands) {
+      if (before) before(commands);
       setup.timings.reset(commands);
       setup.timings.begin(commands, "measured");
       record(commands);

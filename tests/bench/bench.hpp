@@ -30,9 +30,11 @@ class Results {
 };
 
 /// Measures the GPU time of what `record` records; each iteration is a command buffer of its own, waited for.
-/// One unmeasured run comes first: a software device compiles its shaders then.
+/// One unmeasured run comes first: a software device compiles its shaders then. `before`, if any, is recorded in front,
+/// unmeasured.
 void measure(benchmark::State& state, Setup& setup, std::vector<double>& samples,
-             const std::function<void(vk::CommandBuffer)>& record);
+             const std::function<void(vk::CommandBuffer)>& record,
+             const std::function<void(vk::CommandBuffer)>& before = nullptr);
 
 /// The value or, with the error on stderr, the end of the program.
 template <class T, class E>
@@ -57,6 +59,6 @@ void addPasses(Setup& setup, Results& results);
 void addWaveSteps(Setup& setup, Results& results);
 void addVkFft(Setup& setup, Results& results);
 void addFftw(Results& results);
-void addQueries(Results& results);
+void addQueries(Setup& setup, Results& results);
 
 }  // namespace bench

@@ -83,7 +83,7 @@ int run(common::GpuDevice gpu) {
   bench::addWaveSteps(setup, results);
   bench::addVkFft(setup, results);
   bench::addFftw(results);
-  bench::addQueries(results);
+  bench::addQueries(setup, results);
   bench::addFrames(setup, results);
   const std::string filter = benchmark::GetBenchmarkFilter();
   if (filter.empty() || filter == "all" || filter.find("Pass") != std::string::npos) bench::addPasses(setup, results);

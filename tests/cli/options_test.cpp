@@ -54,7 +54,7 @@ TEST_F(OptionsTest, FilesAreAnsweredWithTheirLine) {
 }
 
 TEST_F(OptionsTest, HelpAndVersion) {
-  for (const std::string program : {"bake", "render", "minimal", "sandbox"}) {
+  for (const std::string program : {"bake", "query", "render", "minimal", "sandbox"}) {
     const cli::Outcome help = run(program, "--help");
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.err, "");

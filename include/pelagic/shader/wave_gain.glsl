@@ -3,16 +3,22 @@
 #ifndef PELAGIC_SHADER_WAVE_GAIN_GLSL
 #define PELAGIC_SHADER_WAVE_GAIN_GLSL
 
-// `gain`: WaveSampling::gain; `p`: point of the undisplaced plane relative to the origin given to pelagic::waveSampling().
-float waveGain(sampler2DArray map, vec4 gain, vec2 p, uint cascade) {
+// Gain at a place in samples, and its slope along x and z per sample; beyond the map that of its edge.
+vec3 waveGainAt(sampler2DArray map, vec2 place, uint cascade) {
   ivec2 last = textureSize(map, 0).xy - 1;
-  vec2 at = clamp(p * gain.x + gain.yz, vec2(0), vec2(last));
+  vec2 at = clamp(place, vec2(0), vec2(last));
   ivec2 cell = min(ivec2(at), last - 1);
   vec2 f = at - vec2(cell);
   ivec3 i = ivec3(cell, int(cascade));
-  float near = mix(texelFetch(map, i, 0).r, texelFetch(map, i + ivec3(1, 0, 0), 0).r, f.x);
-  float far = mix(texelFetch(map, i + ivec3(0, 1, 0), 0).r, texelFetch(map, i + ivec3(1, 1, 0), 0).r, f.x);
-  return mix(near, far, f.y);
+  float a = texelFetch(map, i, 0).r, b = texelFetch(map, i + ivec3(1, 0, 0), 0).r;
+  float c = texelFetch(map, i + ivec3(0, 1, 0), 0).r, d = texelFetch(map, i + ivec3(1, 1, 0), 0).r;
+  vec2 inside = vec2(equal(place, at));
+  return vec3(mix(mix(a, b, f.x), mix(c, d, f.x), f.y), inside * vec2(mix(b - a, d - c, f.y), mix(c - a, d - b, f.x)));
+}
+
+// `gain`: WaveSampling::gain; `p`: point of the undisplaced plane relative to the origin given to pelagic::waveSampling().
+float waveGain(sampler2DArray map, vec4 gain, vec2 p, uint cascade) {
+  return waveGainAt(map, p * gain.x + gain.yz, cascade).x;
 }
 
 // Freshness of foam where its waves have a gain: how much of the sea breaks falls as exp(-w (1/gain^2 - 1)), the tail of
