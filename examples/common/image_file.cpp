@@ -29,9 +29,9 @@ ExrChannel floatChannel(std::string name, const std::vector<float>& pixels, std:
           components * sizeof(float)};
 }
 
-FloatImage readImage(const std::string& where, const std::string& path) {
+FloatImage readImage(const std::string& where, const std::string& text, const std::string& path) {
   const auto file = OIIO::ImageInput::open(path);
-  if (!file) refuse(where, path, "an image: " + OIIO::geterror());
+  if (!file) refuse(where, text, "an image in FILE: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = file->spec();
   FloatImage image;
   image.width = static_cast<std::uint32_t>(spec.width);
@@ -40,7 +40,7 @@ FloatImage readImage(const std::string& where, const std::string& path) {
   const std::size_t pixels = std::size_t{image.width} * image.height;
   std::vector<float> interleaved(pixels * image.channels);
   if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, interleaved.data())) {
-    refuse(where, path, "an image: " + file->geterror());
+    refuse(where, text, "an image in FILE: " + file->geterror());
   }
   image.values.resize(interleaved.size());
   for (std::size_t i = 0; i < interleaved.size(); ++i) {

@@ -27,8 +27,8 @@ struct FloatImage {
   std::uint32_t channels = 0;
   std::vector<float> values;
 };
-/// Any file that OpenImageIO reads. Throws a Failure that names `where` and the file.
-FloatImage readImage(const std::string& where, const std::string& path);
+/// Any file that OpenImageIO reads. Throws a Failure that names `where` and `text`, which has named the file.
+FloatImage readImage(const std::string& where, const std::string& text, const std::string& path);
 
 /// Both throw a Failure when the file cannot be written. `path` comes from OutputSet::add.
 void writeExr(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,

@@ -32,7 +32,7 @@ pelagic::Trochoid parseTrochoid(const std::string& where, const std::string& tex
   if (parts.size() < 3 || parts.size() > 5) refuse(where, text, "AMPLITUDE_M,LENGTH_M,DEG[,STEEPNESS[,PHASE_DEG]]");
   pelagic::Trochoid wave;
   wave.amplitude = parsePart(where, text, parts[0], "an amplitude of", {0, 20, "m", true});
-  wave.wavelength = parsePart(where, text, parts[1], "a wavelength of", {0, 1e6, "m", true});
+  wave.wavelength = parsePart(where, text, parts[1], "a wavelength of", {0, 1e5, "m", true});
   wave.direction = parsePart(where, text, parts[2], "a direction of", {-360, 360, "degrees"}) * kDegree;
   if (parts.size() > 3) wave.steepness = parsePart(where, text, parts[3], "a steepness of", {0, 100, ""});
   if (parts.size() > 4) wave.phase = parsePart(where, text, parts[4], "a phase of", {-360, 360, "degrees"}) * kDegree;
@@ -76,7 +76,7 @@ pelagic::GainMap parseGainMap(const std::string& where, const std::string& text)
   if (text == "none") return {};
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 4) refuse(where, text, "FILE,X_M,Z_M,SPACING_M");
-  FloatImage image = readImage(where, parts[0]);
+  FloatImage image = readImage(where, text, parts[0]);
   pelagic::GainMap map;
   map.origin.x = parsePart(where, text, parts[1], "an x of", {-1e9, 1e9, "m"});
   map.origin.y = parsePart(where, text, parts[2], "a z of", {-1e9, 1e9, "m"});
@@ -161,6 +161,8 @@ Fields seaFields(SeaSettings& sea) {
       numberField("loop", "SECONDS", "Period after which the sea repeats exactly", {1, 4194304, "s"}, sea.loopPeriod),
       wholeField("cascades", "N", "Number of FFT patches", 1, pelagic::kMaxCascades,
                  [&sea](std::uint64_t count) { sea.cascades = static_cast<std::uint32_t>(count); }),
+      numberField("span", "M", "Least length of the longest patch, after which the sea is seen to repeat",
+                  {0, 1e5, "m"}, sea.span),
       {"size", "N", "Samples along each side of a patch: 64, 128, 256, 512, 1024",
        [&sea](const std::string& where, const Texts& t) {
          static const Choices<std::uint32_t> sizes{
@@ -173,7 +175,7 @@ Fields seaFields(SeaSettings& sea) {
 pelagic::WavesInfo wavesInfo(const SeaSettings& sea, pelagic::MapPrecision precision) {
   pelagic::WavesInfo info;
   info.sea = sea.state;
-  info.layout = unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size));
+  info.layout = unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size, sea.span));
   info.loopPeriod = sea.loopPeriod;
   info.precision = precision;
   info.gain = sea.gain;

@@ -120,7 +120,8 @@ class Sandbox {
     const sandbox::Changes changes = sandbox::drawPanel(scene_, clock_, camera_.fov, ocean_->waves().report(), passes_);
     outgrown_ |= changes.layout;
     if (changes.sea) {
-      common::unwrap(ocean_->setSea(scene_.sea.state, {clock_.time, clock_.change}));
+      common::unwrap(
+          ocean_->setSea(scene_.sea.state, {clock_.time, clock_.speed > 0 ? clock_.change * clock_.speed : 0}));
       outgrown_ |= outgrown();
     }
     if (changes.sky) common::unwrap(ocean_->setSky(scene_.sky));
@@ -134,7 +135,8 @@ class Sandbox {
   /// Does the sea want patches of quite another length than it has?
   bool outgrown() const {
     const common::SeaSettings& sea = scene_.sea;
-    const double wanted = common::unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size)).cascades[0].length;
+    const double wanted =
+        common::unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size, sea.span)).cascades[0].length;
     const double present = ocean_->waves().maps().layout.cascades[0].length;
     return wanted > 1.2 * present || wanted < 0.5 * present;
   }

@@ -10,7 +10,9 @@ namespace pelagic {
 
 /// Gain on the amplitude of each cascade's waves over the world, linear between samples that lie on a grid along x and
 /// z; beyond it that of its edge. It should vary slowly, over more than the waves' length: what it does to a wave is
-/// kinematic, no energy travels. The same gain acts on the drawn surface, its slopes and foam, and on queries.
+/// kinematic, no energy travels. The same gain acts on the drawn surface, its slopes and foam, and on queries; what the
+/// gain's own slope adds to the waves' is in queries and left out of shading. Motion vectors of the frame in which a
+/// map changes take the new gain for both frames.
 struct GainMap {
   glm::dvec2 origin{0};      ///< World (x, z) of the first sample [m], |x| and |z| <= 1e9.
   double spacing = 100;      ///< Of the samples [m], 0.1 … 1e6.

@@ -47,7 +47,7 @@ struct Swell {
 /// the wave, so that crests are sharper than troughs. It is one mode of a patch: Waves::trochoids() tells what the
 /// nearest free mode has made of wavelength and direction, by half a mode each way at most where modes are free.
 struct Trochoid {
-  double amplitude = 0.5;  ///< A [m], half of its height; > 0 … 20.
+  double amplitude = 0.5;  ///< A [m], half of its height; 1e-6 … 20.
   double wavelength = 50;  ///< [m], more than the shortest wave of the layout, at most its longest patch.
   double direction = 0;    ///< Travels toward, from +x turning to +z [rad], finite.
   double steepness = 1;    ///< Q [1], 0 … 100; 1: circles, as in deep water; 1/(k A): cusps.
@@ -94,8 +94,9 @@ struct SeaState {
   std::array<double, kOctaves> octaveGain{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
   std::vector<Swell> swell;
-  /// Single waves on top of the rest, at most 256. The sum of Q k A of all trochoids is held at 1 at most, where crests
-  /// would begin to loop: SeaReport::steepnessScale. `choppiness` does not act on them.
+  /// Single waves, at most 256. Each takes the place of the random waves of its mode. The sum of Q k A of all trochoids
+  /// is held at 1 at most, where crests would begin to loop: SeaReport::steepnessScale. `choppiness` does not act on
+  /// them.
   std::vector<Trochoid> trochoids;
   TrochoidPick trochoidPick;
   std::uint64_t seed = 1;  ///< Any; the same seed gives the same sea on every machine.

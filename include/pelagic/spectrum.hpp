@@ -26,14 +26,16 @@ double peakFrequency(const SeaState& sea) noexcept;
 double windSeaSpectrum(const SeaState& sea, double angularFrequency) noexcept;
 /// S(w) of one swell train [m^2 s], scaled so that its integral is Hs^2/16.
 double swellSpectrum(const Swell& swell, double angularFrequency) noexcept;
-/// S(w) of everything [m^2 s].
+/// S(w) of everything but single trochoids [m^2 s].
 double frequencySpectrum(const SeaState& sea, double angularFrequency) noexcept;
 /// D(w, theta) of the wind sea [1/rad]; theta [rad] is the angle from the wind. Its integral over theta is 1.
 double windSeaSpreading(const SeaState& sea, double angularFrequency, double theta) noexcept;
-/// Psi(k) [m^4] of everything: S(w) D(w, theta) (dw/dk) / k, summed over wind sea and swell. 0 at k = 0.
+/// Psi(k) [m^4] of everything but single trochoids: S(w) D(w, theta) (dw/dk) / k, summed over wind sea and swell. 0 at
+/// k = 0.
 double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept;
 
-/// Variance of the elevation m0 [m^2] carried by wave numbers in [kMin, kMax] [rad/m], by quadrature.
+/// Variance of the elevation m0 [m^2] carried by wave numbers in [kMin, kMax] [rad/m], by quadrature, and by the
+/// single trochoids among them.
 double elevationVariance(const SeaState& sea, double kMin, double kMax) noexcept;
 /// Mean square slope carried by wave numbers in [kMin, kMax] [rad/m], by quadrature, along and across the wind.
 SlopeVariance slopeVariance(const SeaState& sea, double kMin, double kMax) noexcept;
@@ -44,7 +46,7 @@ double significantWaveHeight(const SeaState& sea) noexcept;
 double zeroCrossingPeriod(const SeaState& sea) noexcept;
 /// Period of the largest maximum of S(w) over wind sea and swell [s].
 double peakPeriod(const SeaState& sea) noexcept;
-/// Wavelength at the peak of the longest train, wind sea or swell [m].
+/// Wavelength at the peak of the longest train, wind sea, swell or single trochoid [m].
 double longestPeakWavelength(const SeaState& sea) noexcept;
 /// Measured slopes of the real sea, Cox & Munk (1954): 0.00316 U up-wind, 0.003 + 0.00192 U across; U10 is used for
 /// U12.5.

@@ -40,7 +40,9 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
   frame.waterAlbedo = glm::vec4(albedo, 0);
   // Crests of 0.6 to 3 m let light through.
-  frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), 0);
+  // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
+  const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
+  frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), static_cast<float>(streaks));
   frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), 0);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.

@@ -141,6 +141,8 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
   impl->info = info;
   PELAGIC_TRY(sampler, gpu::createSampler(context, "surface displacement", {}));
   impl->sampler = std::move(sampler);
+  PELAGIC_TRY(nearest, gpu::createSampler(context, "surface gain", {vk::Filter::eNearest}));
+  impl->nearest = std::move(nearest);
   PELAGIC_CHECK(impl->tessellateWith(false));
   PELAGIC_TRY(select, surface::createSelect(context));
   impl->select = std::move(select);

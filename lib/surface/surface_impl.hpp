@@ -11,6 +11,7 @@ struct Surface::Impl {
   gpu::Context* context = nullptr;
   SurfaceInfo info;
   gpu::Unique<vk::Sampler> sampler;
+  gpu::Unique<vk::Sampler> nearest;
   /// Without and with a map of gains, compiled when the first view needs it.
   std::array<std::optional<gpu::ComputePass>, 2> tessellate;
   gpu::ComputePass select;

@@ -150,7 +150,7 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
     set.buffer(surface::tVertices, vertices.handle());
     set.buffer(surface::tFlags, flags.handle());
     // What is missing is bound to what is there: the shader's constant keeps it untouched.
-    set.sampled(surface::tGain, maps.gain.view ? maps.gain.view : displacementViews[0], *surface->sampler);
+    set.sampled(surface::tGain, maps.gain.view ? maps.gain.view : displacementViews[0], *surface->nearest);
     tessellateSets[i] = std::move(set);
   }
   PELAGIC_TRY(select, surface->select.createSet("surface select blocks"));

@@ -101,7 +101,8 @@ void CpuLattice::evolve(double time, const Share& share, const InverseFft& fft, 
   for (Mode& mode : modes_) {
     mode.elevation = mode.rate = mode.acceleration = {};
     add(mode.after, fraction, share, mode);
-    if (changing_) add(mode.before, fraction, {1 - share.value, -share.rate, -share.acceleration}, mode);
+    if (changing_ && share.value < 1)
+      add(mode.before, fraction, {1 - share.value, -share.rate, -share.acceleration}, mode);
   }
   // Two real fields ride in one transform; each has a channel of a map.
   struct Field {

@@ -49,6 +49,7 @@ Gain gainAt(const GainMap& map, std::uint32_t cascade, const glm::dvec2& point) 
   if (map.width == 0) return {};
   const glm::dvec2 last(map.width - 1, map.height - 1);
   const glm::dvec2 wanted = (point - map.origin) / map.spacing;
+  if (std::isnan(wanted.x) || std::isnan(wanted.y)) return {};
   const glm::dvec2 at = glm::clamp(wanted, glm::dvec2(0), last);
   const glm::dvec2 cell = glm::min(glm::floor(at), last - 1.0);
   const glm::vec2 f(at - cell);

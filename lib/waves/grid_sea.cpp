@@ -90,6 +90,14 @@ double frequencyError(const CascadeModes& modes, const Cascade& cascade, std::ui
 
 }  // namespace
 
+double elevationDeviation(const SeaMoments& moments) noexcept {
+  return std::max(std::sqrt(moments.elevation), moments.trochoidHeight / 6);
+}
+
+double horizontalDeviation(const SeaMoments& moments) noexcept {
+  return std::max(std::sqrt(moments.horizontal), moments.trochoidReach / 6);
+}
+
 Result<void> validate(const WavesInfo& info) {
   PELAGIC_CHECK(validate(info.sea));
   if (!(info.loopPeriod >= 1 && info.loopPeriod <= 4194304)) {
@@ -121,8 +129,9 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   std::array<JacobianSpread, kMaxCascades> spreads{};
   glm::dvec3 slopes(0);
   ModeEnergies energies;
+  const GridTrochoids trochoids = trochoidsOnGrid(sea, layout);
   for (std::uint32_t c = 0; c < layout.count; ++c) {
-    const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod);
+    const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod, trochoids);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);
     grid.amplitudes.insert(grid.amplitudes.end(), modes.amplitude.begin(), modes.amplitude.end());
     grid.constants.insert(grid.constants.end(), modes.constants.begin(), modes.constants.end());
@@ -138,6 +147,11 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     energies.add(modes, info.loopPeriod);
   }
 
+  for (const GridTrochoid& trochoid : trochoids.waves) {
+    grid.moments.trochoidHeight += trochoid.wave.amplitude;
+    grid.moments.trochoidReach += trochoid.wave.steepness * trochoid.wave.amplitude;
+  }
+
   SeaReport& report = grid.report;
   report.targetHeight = significantWaveHeight(sea);
   report.gridHeight = 4 * std::sqrt(grid.moments.elevation);
@@ -149,7 +163,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   const SlopeVariance tail = slopeVariance(sea, layout.cascades[layout.count - 1].kMax, kShortestWave);
   report.unresolved = {std::max(report.target.upwind - report.grid.upwind, tail.upwind),
                        std::max(report.target.crosswind - report.grid.crosswind, tail.crosswind)};
-  report.steepnessScale = trochoidsOnGrid(sea, layout).steepnessScale;
+  report.steepnessScale = trochoids.steepnessScale;
   report.whitecaps = whitecapFraction(sea.windSpeed);
 
   const std::span foaming = std::span(spreads).first(foamCascades(layout));

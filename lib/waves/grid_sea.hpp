@@ -12,8 +12,16 @@ namespace pelagic {
 struct SeaMoments {
   double elevation = 0;
   double horizontal = 0;
+  /// Of the trochoids: sum of A and of Q A [m], which add up where they meet, as random waves do not.
+  double trochoidHeight = 0;
+  double trochoidReach = 0;
   std::array<glm::dvec3, kMaxCascades> slopes{};
 };
+
+/// Standard deviation of the elevation, and of the length of the horizontal displacement [m], or as much more as puts
+/// the highest that trochoids can reach together at 6 of them.
+double elevationDeviation(const SeaMoments& moments) noexcept;
+double horizontalDeviation(const SeaMoments& moments) noexcept;
 
 struct GridSea {
   SeaState sea;

@@ -2,7 +2,6 @@
 #include <complex>
 #include <numbers>
 #include <waves/modes.hpp>
-#include <waves/trochoids.hpp>
 
 namespace pelagic {
 namespace {
@@ -53,12 +52,16 @@ int modeOf(std::uint32_t i, std::uint32_t size) noexcept {
 }
 
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod) {
+  return makeModes(sea, layout, cascade, loopPeriod, trochoidsOnGrid(sea, layout));
+}
+
+CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod,
+                       const GridTrochoids& trochoids) {
   const std::uint32_t n = layout.size;
   const Cascade& patch = layout.cascades[cascade];
   const double dk = kTwoPi / patch.length;
   const std::size_t total = static_cast<std::size_t>(n) * n;
 
-  const GridTrochoids trochoids = trochoidsOnGrid(sea, layout);
   std::vector<double> energy(total, 0.0);  // Psi(k) dk^2
   CascadeModes modes;
   modes.amplitude.assign(total, glm::vec4(0));

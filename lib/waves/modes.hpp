@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <pelagic/waves.hpp>
 #include <vector>
+#include <waves/trochoids.hpp>
 
 namespace pelagic {
 
@@ -27,7 +28,9 @@ struct CascadeModes {
 };
 
 /// Deterministic in (seed, cascade, mode) on every machine. DC, the Nyquist row and column, and modes outside
-/// [kMin, kMax) are zero.
+/// [kMin, kMax) are zero. `trochoids`: the sea's, on this layout.
+CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod,
+                       const GridTrochoids& trochoids);
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod);
 
 /// Phase of n cycles per loop at time t: 2 pi frac(n t / T) with the 64-bit fraction of t/T, exact for any t.

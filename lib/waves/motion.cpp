@@ -18,6 +18,12 @@ Result<WaveMotion> WaveMotion::create(gpu::Context& context, WaveTransform& tran
   result.radiansPerCycle_ = static_cast<float>(2 * std::numbers::pi / loopPeriod);
   const WaveTransform::Shared& modes = result.modes_;
   const vk::DeviceSize bytes = 2 * sizeof(glm::vec4) * vk::DeviceSize{modes.size} * modes.size * modes.count;
+  const vk::DeviceSize most = context.properties.limits.maxStorageBufferRange;
+  if (bytes > most) {
+    return gpu::reject("the motion of this layout needs a storage buffer of " + std::to_string(bytes) +
+                           " bytes, the device has " + std::to_string(most),
+                       ErrorCode::unsupported);
+  }
   PELAGIC_TRY(texels, gpu::Buffer::create(context, Stage::waves, "waves motion", bytes,
                                           vk::BufferUsageFlagBits::eStorageBuffer));
   result.texels_ = std::move(texels);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <waves/peak.hpp>
@@ -17,28 +18,32 @@ std::size_t binCount() noexcept { return static_cast<std::size_t>(std::ceil(std:
 /// S at the middle of the bins, over its largest value, so that the fourth power of a calm sea's is still a number.
 class Shape {
  public:
-  explicit Shape(const SeaState& sea) noexcept : sea_(sea), unit_(frequencySpectrum(sea, kTwoPi / peakPeriod(sea))) {}
-  double frequency(std::size_t bin) const noexcept {
+  explicit Shape(const SeaState& sea) : spectrum_(binCount()) {
+    double most = 0;
+    for (std::size_t bin = 0; bin < spectrum_.size(); ++bin) {
+      spectrum_[bin] = frequencySpectrum(sea, frequency(bin));
+      most = std::max(most, spectrum_[bin]);
+    }
+    for (double& value : spectrum_) value = most > 0 ? value / most : 0;
+  }
+  static double frequency(std::size_t bin) noexcept {
     return kLowest * std::exp(kStep * (static_cast<double>(bin) + 0.5));
   }
-  double spectrum(std::size_t bin) const noexcept {
-    return unit_ > 0 ? frequencySpectrum(sea_, frequency(bin)) / unit_ : 0;
-  }
+  double spectrum(std::size_t bin) const noexcept { return spectrum_[bin]; }
 
  private:
-  const SeaState& sea_;
-  double unit_;
+  std::vector<double> spectrum_;
 };
 
 double cube(double x) noexcept { return x * x * x; }
 
 }  // namespace
 
-double weightedPeakFrequency(const SeaState& sea) noexcept {
+double weightedPeakFrequency(const SeaState& sea) {
   const Shape shape(sea);
   double moment = 0, sum = 0;
   for (std::size_t bin = 0; bin < binCount(); ++bin) {
-    const double w = shape.frequency(bin);
+    const double w = Shape::frequency(bin);
     const double s = shape.spectrum(bin);
     const double energy = s * cube(s) * w;  // dw = w dln w
     moment += energy * w;
@@ -60,7 +65,7 @@ void ModeEnergies::add(const CascadeModes& modes, double loopPeriod) noexcept {
   }
 }
 
-double ModeEnergies::weightedPeakFrequency(const SeaState& sea) const noexcept {
+double ModeEnergies::weightedPeakFrequency(const SeaState& sea) const {
   const Shape shape(sea);
   double moment = 0, sum = 0;
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
@@ -72,7 +77,7 @@ double ModeEnergies::weightedPeakFrequency(const SeaState& sea) const noexcept {
   return sum > 0 ? moment / sum : 0;
 }
 
-double gridPeakPeriod(const SeaState& sea, const ModeEnergies& modes) noexcept {
+double gridPeakPeriod(const SeaState& sea, const ModeEnergies& modes) {
   const double achieved = modes.weightedPeakFrequency(sea);
   return achieved > 0 ? peakPeriod(sea) * weightedPeakFrequency(sea) / achieved : 0;
 }

@@ -180,8 +180,8 @@ void PointQuery::Impl::start(Call& call, std::size_t item, std::size_t count, co
 void PointQuery::Impl::dispatch(vk::CommandBuffer commands, Call& call, std::size_t count) noexcept {
   if (count == 0) return;
   if (info.motion && movedTo != waves->recordings) {
-    motion.record(commands, loopFraction(waves->shown, waves->info.loopPeriod), waves->sea.changing(),
-                  waves->sea.share(waves->shown));
+    const Share share = waves->sea.share(waves->shown);
+    motion.record(commands, loopFraction(waves->shown, waves->info.loopPeriod), share.value < 1, share);
     movedTo = waves->recordings;
   }
   const WaveLayout& layout = waves->info.layout;
@@ -210,8 +210,8 @@ Result<std::uint64_t> PointQuery::record(VkCommandBuffer commands, std::span<con
 Result<std::uint64_t> PointQuery::recordRays(VkCommandBuffer commands, std::span<const SurfaceRay> rays) {
   PELAGIC_TRY(call, impl_->begin(rays.size(), "rays", Impl::Kind::rays));
   const SeaChange& sea = impl_->waves->sea;
-  const double deviation =
-      impl_->waves->largestGain * std::sqrt(std::max(sea.after.moments.elevation, sea.before.moments.elevation));
+  const double deviation = impl_->waves->largestGain *
+                           std::max(elevationDeviation(sea.after.moments), elevationDeviation(sea.before.moments));
   auto* told = static_cast<shader::QueryRay*>(call->rays.mapped());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const SurfaceRay& ray = rays[i];

@@ -82,6 +82,7 @@ GridSea freeze(const SeaChange& change, double time, double loopPeriod) {
   sea.foamDecline = change.foamDeclineAt(share);
   sea.report.unresolved = change.unresolvedAt(share);
   sea.sea.windDirection = change.windDirectionAt(share);
+  sea.sea.windSpeed = change.windSpeedAt(share);
   sea.sea.choppiness = change.choppinessAt(share);
   return sea;
 }
@@ -121,8 +122,15 @@ SeaMoments SeaChange::momentsAt(double share) const noexcept {
   };
   mixed.elevation = least(a.elevation, b.elevation, difference.elevation);
   mixed.horizontal = least(a.horizontal, b.horizontal, difference.horizontal);
+  mixed.trochoidHeight = glm::mix(a.trochoidHeight, b.trochoidHeight, share);
+  mixed.trochoidReach = glm::mix(a.trochoidReach, b.trochoidReach, share);
   for (std::size_t c = 0; c < mixed.slopes.size(); ++c) {
-    mixed.slopes[c] = glm::mix(a.slopes[c], b.slopes[c], share) - both * difference.slopes[c];
+    // The difference is that of the random numbers drawn: of few modes it may exceed what is expected.
+    glm::dvec3& slopes = mixed.slopes[c];
+    slopes = glm::mix(a.slopes[c], b.slopes[c], share) - both * difference.slopes[c];
+    slopes = glm::dvec3(std::max(0.0, slopes.x), std::max(0.0, slopes.y), slopes.z);
+    const double most = std::sqrt(slopes.x * slopes.y);
+    slopes.z = std::clamp(slopes.z, -most, most);
   }
   return mixed;
 }
@@ -133,6 +141,10 @@ SlopeVariance SeaChange::unresolvedAt(double share) const noexcept {
 
 double SeaChange::windDirectionAt(double share) const noexcept {
   return (changing() && share < 0.5 ? before : after).sea.windDirection;
+}
+
+double SeaChange::windSpeedAt(double share) const noexcept {
+  return changing() ? glm::mix(before.sea.windSpeed, after.sea.windSpeed, share) : after.sea.windSpeed;
 }
 
 double SeaChange::choppinessAt(double share) const noexcept {

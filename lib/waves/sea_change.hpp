@@ -29,6 +29,7 @@ struct SeaChange {
   SlopeVariance unresolvedAt(double share) const noexcept;
   /// Of the stronger part: patterns that are drawn along the wind would sweep over the sea if it turned.
   double windDirectionAt(double share) const noexcept;
+  double windSpeedAt(double share) const noexcept;
   double choppinessAt(double share) const noexcept;
   double foamDeclineAt(double share) const noexcept;
 };

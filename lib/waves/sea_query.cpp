@@ -48,7 +48,8 @@ struct SeaQuery::Impl {
   double time = 0;
   SeaChange sea;
   double deviation = 0;  ///< Of the elevation [m].
-  double shortest = 0;   ///< Length of the finest cell [m].
+  double largestGain = 1;
+  double shortest = 0;  ///< Length of the finest cell [m].
   std::vector<CpuLattice> lattices;
   InverseFft fft;
   ComplexPlane plane, scratch;
@@ -64,6 +65,7 @@ struct SeaQuery::Impl {
 SeaQuery::Impl::Impl(const WavesInfo& wanted, double shortestWavelength)
     : info(wanted),
       kMax(shortestWavelength > 0 ? 2 * std::numbers::pi / shortestWavelength : HUGE_VAL),
+      largestGain(pelagic::largestGain(wanted.gain)),
       fft(wanted.layout.size) {
   const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
   for (auto* part : {&plane.re, &plane.im, &scratch.re, &scratch.im}) part->resize(count);
@@ -79,7 +81,7 @@ void SeaQuery::Impl::build(SeaChange change) {
   }
   lattices = std::move(built);
   sea = std::move(change);
-  deviation = std::sqrt(std::max(sea.after.moments.elevation, sea.before.moments.elevation));
+  deviation = std::max(elevationDeviation(sea.after.moments), elevationDeviation(sea.before.moments));
   shortest = lattices.empty() ? 1 : 1 / lattices.back().density();
   evolve();
 }
@@ -91,6 +93,7 @@ void SeaQuery::Impl::evolve() noexcept {
 
 Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
   constexpr auto kLeastJacobian = static_cast<double>(shader::kLeastJacobian);
+  constexpr auto kLongestStep = static_cast<double>(shader::kLongestStep);
   constexpr auto kLeastMiss = static_cast<double>(shader::kLeastMiss);
   Found found{point, 0};
   for (std::uint32_t i = 0; i < shader::kNewtonSteps; ++i) {
@@ -102,8 +105,8 @@ Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
     const glm::dvec4 x(local.alongX);
     const glm::dvec4 z(local.alongZ);
     const double determinant = std::max((1 + x.x) * (1 + z.z) - x.z * z.x, kLeastJacobian);
-    const glm::dvec2 step =
-        glm::dvec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
+    glm::dvec2 step = glm::dvec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
+    step *= kLongestStep / std::max(glm::length(step), kLongestStep);
     found.undisplaced += step;
     found.height = static_cast<double>(local.value.y) + x.y * step.x + z.y * step.y;
     if (glm::dot(miss, miss) < kLeastMiss * kLeastMiss) break;
@@ -162,6 +165,7 @@ Result<void> SeaQuery::setSea(const SeaState& sea, const SeaTransition& transiti
 Result<void> SeaQuery::setGain(const GainMap& map) {
   PELAGIC_CHECK(validate(map, impl_->info.layout.count));
   impl_->info.gain = map;
+  impl_->largestGain = largestGain(map);
   return {};
 }
 
@@ -185,7 +189,7 @@ double SeaQuery::heightAt(const glm::dvec2& point) const noexcept {
 std::optional<SurfacePoint> SeaQuery::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                                                 double reach) const noexcept {
   const Impl& sea = *impl_;
-  const std::optional<RayPart> part = partAtSea(origin, direction, reach, sea.deviation * largestGain(sea.info.gain));
+  const std::optional<RayPart> part = partAtSea(origin, direction, reach, sea.deviation * sea.largestGain);
   if (!part) return {};
   const glm::dvec3 d = part->direction;
   const auto gap = [&](double t) {

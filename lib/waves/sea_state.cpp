@@ -64,7 +64,7 @@ Result<void> validate(const SeaState& sea) {
   for (std::size_t i = 0; i < sea.trochoids.size(); ++i) {
     const Trochoid& wave = sea.trochoids[i];
     const Field waves[] = {{"amplitude", wave.amplitude, 1e-6, 20, "m"},
-                           {"wavelength", wave.wavelength, 1e-4, 1e6, "m"},
+                           {"wavelength", wave.wavelength, 1e-4, 1e5, "m"},
                            {"direction", wave.direction, -kAnyAngle, kAnyAngle, "rad"},
                            {"steepness", wave.steepness, 0, 100, ""},
                            {"phase", wave.phase, -kAnyAngle, kAnyAngle, "rad"}};

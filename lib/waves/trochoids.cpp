@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gpu/context.hpp>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <waves/trochoids.hpp>
@@ -72,11 +73,12 @@ void pick(const SeaState& sea, const WaveLayout& layout, std::vector<Trochoid>& 
   const TrochoidPick& wanted = sea.trochoidPick;
   const Energy energy = energyOf(sea, layout);
   const double variance = kPickedShare * energy.cumulated.back();
-  if (wanted.count == 0 || !(variance > 0)) return;
+  const double amplitude = std::sqrt(2 * (1 - wanted.roughness) * variance / wanted.count);
+  // Nothing to draw: all stays random, or the sea is as good as still.
+  constexpr double kLeastAmplitude = 1e-6;  // [m]
+  if (!(amplitude > kLeastAmplitude)) return;
   grid.cut = quantile(energy.waveNumbers, energy.cumulated, kPickedShare);
   grid.kept = wanted.roughness;
-  const double amplitude = std::sqrt(2 * (1 - wanted.roughness) * variance / wanted.count);
-  if (!(amplitude > 0)) return;
   // Steps of the golden ratio spread directions and phases evenly, however many there are; the seed turns them.
   const double golden = std::numbers::phi - 1;
   const double start = std::fmod(static_cast<double>(sea.seed % 1000003) * golden, 1.0);
@@ -93,8 +95,8 @@ void pick(const SeaState& sea, const WaveLayout& layout, std::vector<Trochoid>& 
   }
 }
 
-/// Puts a wave on the nearest mode that no other holds.
-GridTrochoid place(const Trochoid& wave, const WaveLayout& layout, std::set<std::array<int, 3>>& taken) {
+/// Puts a wave on the nearest mode of its cascade that no other holds, if there is one.
+std::optional<GridTrochoid> place(const Trochoid& wave, const WaveLayout& layout, std::set<std::array<int, 3>>& taken) {
   const double k = waveNumber(wave);
   GridTrochoid placed;
   placed.wave = wave;
@@ -103,8 +105,9 @@ GridTrochoid place(const Trochoid& wave, const WaveLayout& layout, std::set<std:
   const auto owner = static_cast<int>(placed.cascade);
   const double dk = kTwoPi / cascade.length;
   const int most = static_cast<int>(layout.size) / 2 - 1;
-  const double x = k / dk * std::cos(wave.direction);
-  const double z = k / dk * std::sin(wave.direction);
+  // A wave number beyond the lattice is sought from its corner.
+  const double x = std::clamp(k / dk * std::cos(wave.direction), -1.0 * most, 1.0 * most);
+  const double z = std::clamp(k / dk * std::sin(wave.direction), -1.0 * most, 1.0 * most);
   double nearest = HUGE_VAL;
   // A ring that is farther away than what was found cannot hold anything nearer.
   for (int reach = 4; reach <= 2 * most && nearest > reach - 1; reach *= 2) {
@@ -122,6 +125,7 @@ GridTrochoid place(const Trochoid& wave, const WaveLayout& layout, std::set<std:
       }
     }
   }
+  if (!std::isfinite(nearest)) return {};
   taken.insert({owner, placed.mx, placed.mz});
   taken.insert({owner, -placed.mx, -placed.mz});  // the same pair of modes
   placed.wave.wavelength = kTwoPi / (dk * std::hypot(placed.mx, placed.mz));
@@ -153,6 +157,12 @@ Result<void> validate(const SeaState& sea, const WaveLayout& layout) {
          << ", the patches of this layout hold more than " << shortest << " to " << longest << " m";
     return gpu::reject(text.str());
   }
+  std::set<std::array<int, 3>> taken;
+  for (std::size_t i = 0; i < sea.trochoids.size(); ++i) {
+    if (place(sea.trochoids[i], layout, taken)) continue;
+    return gpu::reject("SeaState::trochoids[" + std::to_string(i) +
+                       "] finds no free mode in its cascade of this layout: others hold them all");
+  }
   return {};
 }
 
@@ -162,10 +172,12 @@ GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout) {
   if (sea.trochoidPick.count > 0) pick(sea, layout, waves, grid);
   std::set<std::array<int, 3>> taken;
   double steepest = 0;
-  for (const Trochoid& wave : waves) {
-    grid.waves.push_back(place(wave, layout, taken));
-    if (grid.waves.size() > sea.trochoids.size()) inherit(sea, layout, grid.kept, grid.waves.back());
-    const Trochoid& placed = grid.waves.back().wave;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    std::optional<GridTrochoid> found = place(waves[i], layout, taken);
+    if (!found) continue;
+    if (i >= sea.trochoids.size()) inherit(sea, layout, grid.kept, *found);
+    grid.waves.push_back(*found);
+    const Trochoid& placed = found->wave;
     steepest += placed.steepness * waveNumber(placed) * placed.amplitude;
   }
   // No loops while the sum of Q k A is at most 1 (Finch 2004, GPU Gems 1).

@@ -94,7 +94,7 @@ double Waves::Impl::foamClock(double time) const noexcept {
 
 void Waves::Impl::recordFoam(vk::CommandBuffer commands, double time) noexcept {
   const double now = std::floor(foamClock(time));
-  const double loopStart = std::floor(time / info.loopPeriod) * info.loopPeriod;
+  const double loopStart = time - foamClock(time) * foamTickLength();
   // A tick older than kFoamSteps has faded away, so a replay of kFoamSteps ticks is complete from any start.
   const bool replay = !hasFoam || now < foamTick || now - foamTick >= shader::kFoamSteps;
   const std::uint32_t ticks = replay ? shader::kFoamSteps : static_cast<std::uint32_t>(now - foamTick);
@@ -174,10 +174,11 @@ WaveMaps Waves::maps() const noexcept {
   const double share = impl_->sea.share(impl_->shown).value;
   const SeaMoments moments = impl_->sea.momentsAt(share);
   maps.windDirection = impl_->sea.windDirectionAt(share);
+  maps.windSpeed = impl_->sea.windSpeedAt(share);
   maps.unresolved = impl_->sea.unresolvedAt(share);
   maps.slopeCovariance = moments.slopes;
-  maps.elevationDeviation = impl_->largestGain * std::sqrt(moments.elevation);
-  maps.horizontalDeviation = impl_->largestGain * std::sqrt(moments.horizontal);
+  maps.elevationDeviation = impl_->largestGain * elevationDeviation(moments);
+  maps.horizontalDeviation = impl_->largestGain * horizontalDeviation(moments);
   maps.foamDecline = impl_->sea.foamDeclineAt(share);
   maps.choppiness = impl_->sea.choppinessAt(share);
   return maps;

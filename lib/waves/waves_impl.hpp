@@ -39,7 +39,8 @@ struct Waves::Impl {
   double foamClock(double time) const noexcept;
   const SeaChange& latest() const noexcept { return wanted ? *wanted : sea; }
   SeaMoment momentOf(double at) const noexcept {
-    return {loopFraction(at, info.loopPeriod), sea.changing(), static_cast<float>(sea.share(at).value)};
+    const double share = sea.share(at).value;
+    return {loopFraction(at, info.loopPeriod), share < 1, static_cast<float>(share)};
   }
   void recordUpload(vk::CommandBuffer commands) noexcept;
   void clearFoam(vk::CommandBuffer commands) noexcept;

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-int signedMode(std::uint32_t i, std::uint32_t size) noexcept {
-  return static_cast<int>(i) - (i >= size / 2 ? static_cast<int>(size) : 0);
-}
-
 double totalDeviation(std::span<const JacobianSpread> bands) noexcept {
   double variance = 0;
   for (const JacobianSpread& band : bands) variance += band.deviation * band.deviation;
@@ -58,8 +54,8 @@ JacobianSpread jacobianSpread(const CascadeModes& modes, const Cascade& cascade,
     for (std::uint32_t column = 0; column < size; ++column) {
       const std::size_t index = static_cast<std::size_t>(row) * size + column;
       if (modes.constants[index].cycles == 0) continue;
-      const double kx = dk * signedMode(column, size);
-      const double kz = dk * signedMode(row, size);
+      const double kx = dk * modeOf(column, size);
+      const double kz = dk * modeOf(row, size);
       const double chop = modes.constants[index].chop;
       const double stretch = chop * (kx * kx + kz * kz);  // s = -chop k^2 h
       const double w = kTwoPi * modes.constants[index].cycles / loopPeriod;
@@ -96,16 +92,16 @@ double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noe
 
 double foamDecline(std::span<const JacobianSpread> bands, double threshold) noexcept {
   constexpr double kLull = 0.8;
-  std::vector<JacobianSpread> calmer(bands.begin(), bands.end());
-  for (JacobianSpread& band : calmer) {
-    band.deviation *= kLull;
-    band.rate *= kLull;
+  std::array<JacobianSpread, kMaxCascades> calmer{};
+  for (std::size_t c = 0; c < bands.size(); ++c) {
+    calmer[c] = {kLull * bands[c].deviation, kLull * bands[c].rate, bands[c].curvature};
   }
   const double foam = expectedFoam(bands, threshold);
-  const double less = expectedFoam(calmer, threshold);
-  // Where nothing breaks, nothing declines.
+  const double less = expectedFoam(std::span(calmer).first(bands.size()), threshold);
+  // Where nothing breaks nothing declines, and a storm that is all foam does not gain any by calming.
   constexpr double kFastest = 100;
-  return less > 0 ? std::min(kFastest, std::log(foam / less) / (1 / (kLull * kLull) - 1)) : foam > 0 ? kFastest : 0;
+  if (!(less > 0)) return foam > 0 ? kFastest : 0;
+  return std::clamp(std::log(foam / less) / (1 / (kLull * kLull) - 1), 0.0, kFastest);
 }
 
 double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept {

@@ -23,7 +23,7 @@ double inverseSpread(std::span<const JacobianSpread> bands, std::size_t cascade)
 double expectedFoam(std::span<const JacobianSpread> bands, double threshold) noexcept;
 
 /// w of a sea whose foam falls as exp(-w (1/g^2 - 1)) where all its waves are multiplied by g, from g = 0.8, between
-/// the gusts and lulls of a real wind.
+/// the gusts and lulls of a real wind; 0 … 100. At most kMaxCascades bands.
 double foamDecline(std::span<const JacobianSpread> bands, double threshold) noexcept;
 
 /// The Jacobian below which the sea breaks so that expectedFoam is `coverage`; out of reach when nothing moves.

@@ -61,9 +61,9 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   const float kEdge = 0.04;     // softness of an edge near by
   vec2 wind = frame.foam.zw;
   vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
-  // Older foam gathers in streaks along the wind.
+  // In a strong wind older foam gathers in streaks along it.
   float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
-  streak = mix(0.5, streak, clamp(1.5 - 0.25 * footprint, 0.0, 1.0));  // four metres wide
+  streak = mix(0.5, streak, frame.thinCrest.w * clamp(1.5 - 0.25 * footprint, 0.0, 1.0));  // four metres wide
   float aged = clamp(freshness * (0.4 + 1.2 * streak), 0.0, 1.0);
   float share = clamp(mix(aged, freshness, freshness), 0.0, 0.98);
 

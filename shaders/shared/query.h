@@ -12,6 +12,8 @@ PELAGIC_SHADER_CONSTANT uint kNewtonSteps = 16u;
 PELAGIC_SHADER_CONSTANT float kLeastMiss = 1e-4f;
 // The least determinant that a step divides by: where water is folded over, steps stay short.
 PELAGIC_SHADER_CONSTANT float kLeastJacobian = 0.2f;
+// Longest step [m]: a sea that is folded over and over would throw the iteration off the Earth.
+PELAGIC_SHADER_CONSTANT float kLongestStep = 64.0f;
 // No face is steeper than this for longer than a step of half a cell.
 PELAGIC_SHADER_CONSTANT float kSteepestFace = 1.5f;
 // Steps along a ray that the GPU takes at most.

@@ -17,8 +17,8 @@ PELAGIC_SHADER_CONSTANT uint kMostCascades = 8u;
 // Of one cascade; changes with the sea only.
 struct WaveCascade {
   float waveNumberStep;  // 2 pi / L [rad/m]
-  // The elevation rides with dDz/dx in one complex transform; this power of two brings it to the same magnitude, so
-  // that the rounding errors of the larger do not drown the smaller.
+  // The elevation rides with dDz/dx in one complex transform; this factor, a power of two unless the sea is changing,
+  // brings it to the same magnitude, so that the rounding errors of the larger do not drown the smaller.
   float heightScale;
   float foldThreshold;  // J_t below which the sea breaks [1]
   float inverseSpread;  // 1 / standard deviation of the Jacobian of the other foaming cascades [1]

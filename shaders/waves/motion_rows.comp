@@ -7,20 +7,8 @@
 #include "shared/waves.h"
 #include "shared/query.h"
 
-layout(local_size_x_id = 0, local_size_y_id = 1) in;
-
-layout(set = 0, binding = 2, std430) readonly buffer Cascades { WaveCascade cascades[]; };
-layout(set = 0, binding = 3, std430) writeonly buffer Planes { vec4 planes[]; };
 layout(push_constant) uniform Push { WaveMotionPush push; };
-
-#define FFT_THREADS gl_WorkGroupSize.x
-#define FFT_THREAD gl_LocalInvocationID.x
-// One slot in 17 stays empty, so that the strides of the exchange do not meet in one memory bank.
-const uint kStride = gl_WorkGroupSize.x * 17;
-shared vec4 slots[kStride * gl_WorkGroupSize.y];
-#define FFT_EXCHANGE(i) slots[gl_LocalInvocationID.y * kStride + (i) + (i) / 16]
-#include "waves/fft.glsl"
-#include "waves/evolve.glsl"
+#include "waves/rows.glsl"
 
 // weights.x h + weights.y dh/dt + weights.z d2h/dt2 of a mode of one sea in xy, chop times that in zw.
 vec4 changeOfOne(int mode, vec3 weights) {
@@ -55,8 +43,7 @@ void main() {
   const uint plane = gl_WorkGroupID.z;
   const uint cascade = plane / 2;
   const uint order = plane % 2;
-  uint row = gl_GlobalInvocationID.y;
-  if (row >= kBand) row += kSize - 2 * kBand;
+  const uint row = rowOfInvocation();
   const float step = cascades[cascade].waveNumberStep;
   const float kz = waveNumber(row, step);
   const int line = int((cascade * kSize + row) * kSize + FFT_THREAD);

@@ -131,8 +131,8 @@ Found find(vec2 target) {
     const vec3 x = local.alongX;
     const vec3 z = local.alongZ;
     const float determinant = max((1 + x.x) * (1 + z.z) - x.z * z.x, kLeastJacobian);
-    const vec2 step =
-        vec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
+    vec2 step = vec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
+    step *= kLongestStep / max(length(step), kLongestStep);
     found.offset += step;
     // Always true; it makes the height a value that the loop carries, see `start`.
     if (steps < kNewtonSteps) found.height = local.value.y + x.y * step.x + z.y * step.y;

@@ -37,7 +37,9 @@ void main() {
       low = t;
     }
     if (met) {
-      done = high - low <= 1e-7 * (1 + high);  // what 32 bits tell apart
+      // What 32 bits tell apart: neighbours have nothing between them.
+      const float middle = 0.5 * (low + high);
+      done = middle <= low || middle >= high || high - low <= 1e-7 * (1 + high);
     } else {
       high = min(t + max(abs(gap) / speed, push.halfCell), ray.reach);
     }

@@ -5,21 +5,10 @@
 // Plane A holds (dDx/dx + i dDz/dz, dDz/dx + i h), plane B (Dx + i Dz, dh/dx + i dh/dz), where i joins two real fields.
 #include "shared/waves.h"
 
-layout(local_size_x_id = 0, local_size_y_id = 1) in;
 layout(constant_id = 3) const uint kPlanes = 2;
 
-layout(set = 0, binding = 2, std430) readonly buffer Cascades { WaveCascade cascades[]; };
-layout(set = 0, binding = 3, std430) writeonly buffer Planes { vec4 planes[]; };
 layout(push_constant) uniform Push { WaveRowsPush push; };
-
-#define FFT_THREADS gl_WorkGroupSize.x
-#define FFT_THREAD gl_LocalInvocationID.x
-// One slot in 17 stays empty, so that the strides of the exchange do not meet in one memory bank.
-const uint kStride = gl_WorkGroupSize.x * 17;
-shared vec4 slots[kStride * gl_WorkGroupSize.y];
-#define FFT_EXCHANGE(i) slots[gl_LocalInvocationID.y * kStride + (i) + (i) / 16]
-#include "waves/fft.glsl"
-#include "waves/evolve.glsl"
+#include "waves/rows.glsl"
 
 // D = i k chop h, so dDx/dx = -kx^2 chop h and so on. h: elevation in xy, chop times it in zw.
 vec4 planeA(float kx, float kz, vec4 h, float heightScale) {
@@ -32,8 +21,7 @@ vec4 planeB(float kx, float kz, vec4 h) { return turned(h.zwxy, vec2(-kz, kx)); 
 
 void main() {
   const uint cascade = gl_WorkGroupID.z;
-  uint row = gl_GlobalInvocationID.y;
-  if (row >= kBand) row += kSize - 2 * kBand;
+  const uint row = rowOfInvocation();
   const float step = cascades[cascade].waveNumberStep;
   const float heightScale = mix(cascades[kMostCascades + cascade].heightScale, cascades[cascade].heightScale, push.share);
   const float kz = waveNumber(row, step);

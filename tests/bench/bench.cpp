@@ -1,6 +1,7 @@
 #include "bench.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
@@ -40,21 +41,39 @@ void Results::printRatios() const {
 void measure(benchmark::State& state, Setup& setup, std::vector<double>& samples,
              const std::function<void(vk::CommandBuffer)>& record,
              const std::function<void(vk::CommandBuffer)>& before) {
-  setup.gpu.run([&](vk::CommandBuffer commands) {
-    if (before) before(commands);
-    record(commands);
-  });
-  for (auto _ : state) {
+  constexpr double kBusy = 20;  // [ms]
+  const auto run = [&](std::size_t repeats) {
     setup.gpu.run([&](vk::CommandBuffer commands) {
-      if (before) before(commands);
       setup.timings.reset(commands);
-      setup.timings.begin(commands, "measured");
-      record(commands);
-      setup.timings.end(commands);
+      for (std::size_t i = 0; i < repeats; ++i) {
+        if (before) before(commands);
+        setup.timings.begin(commands, "measured");
+        record(commands);
+        setup.timings.end(commands);
+        const vk::AccessFlags2 written = vk::AccessFlagBits2::eShaderStorageWrite;
+        const vk::MemoryBarrier2 order(vk::PipelineStageFlagBits2::eComputeShader, written,
+                                       vk::PipelineStageFlagBits2::eComputeShader,
+                                       written | vk::AccessFlagBits2::eShaderStorageRead);
+        commands.pipelineBarrier2({{}, order});
+      }
     });
-    const double milliseconds = require(setup.timings.read()).front().milliseconds;
-    samples.push_back(milliseconds);
-    state.SetIterationTime(milliseconds * 1e-3);
+    return require(setup.timings.read());
+  };
+  run(1);
+  const double once = run(1).front().milliseconds;
+  const auto repeats = static_cast<std::size_t>(std::clamp(kBusy / once, 1.0, double{pelagic::Timings::kMaxPasses}));
+  // Until a GPU has raised its clock.
+  constexpr std::chrono::milliseconds kWarmUp(300);
+  for (const auto start = std::chrono::steady_clock::now(); std::chrono::steady_clock::now() - start < kWarmUp;) {
+    run(repeats);
+  }
+  for (auto _ : state) {
+    double sum = 0;
+    for (const pelagic::Timings::Pass& pass : run(repeats)) {
+      samples.push_back(pass.milliseconds);
+      sum += pass.milliseconds;
+    }
+    state.SetIterationTime(sum / static_cast<double>(repeats) * 1e-3);
   }
   state.counters["median_ms"] = median(samples);
 }

@@ -29,9 +29,10 @@ class Results {
   std::vector<std::pair<std::string, std::vector<double>>> samples_;
 };
 
-/// Measures the GPU time of what `record` records; each iteration is a command buffer of its own, waited for.
-/// One unmeasured run comes first: a software device compiles its shaders then. `before`, if any, is recorded in front,
-/// unmeasured.
+/// Measures the GPU time of what `record` records. Each iteration is a command buffer of its own, waited for, that
+/// repeats it until there is work for some time: a GPU that idles between short submissions lowers its clock, an H200
+/// to a sixth. One unmeasured run comes first: a software device compiles its shaders then. `before`, if any, is
+/// recorded in front of each, unmeasured.
 void measure(benchmark::State& state, Setup& setup, std::vector<double>& samples,
              const std::function<void(vk::CommandBuffer)>& record,
              const std::function<void(vk::CommandBuffer)>& before = nullptr);

@@ -11,19 +11,24 @@ namespace bench {
 namespace {
 
 constexpr vk::Extent2D kExtent{1280, 720};
+constexpr vk::Extent2D kLargeExtent{1920, 1080};
+
+std::string nameOf(std::string_view scene, vk::Extent2D extent) {
+  return "Frame/" + std::string(scene) + "/" + std::to_string(extent.width) + "x" + std::to_string(extent.height);
+}
 constexpr int kPassFrames = 20;
 
 /// A scene as pelagic-render draws it for the screen.
 class Frame {
  public:
-  Frame(Setup& setup, const std::string& scene) {
+  Frame(Setup& setup, const std::string& scene, vk::Extent2D extent = kExtent) {
     common::loadScene("--scene", scene, scene_);
     time_ = scene_.time;
-    camera_ = common::cameraOf(scene_.view, double{kExtent.width} / kExtent.height);
+    camera_ = common::cameraOf(scene_.view, static_cast<double>(extent.width) / extent.height);
     using Usage = vk::ImageUsageFlagBits;
-    hdr_ = common::createImage(setup.gpu, vk::Format::eR16G16B16A16Sfloat, kExtent, Usage::eStorage | Usage::eSampled,
+    hdr_ = common::createImage(setup.gpu, vk::Format::eR16G16B16A16Sfloat, extent, Usage::eStorage | Usage::eSampled,
                                "bench.hdr");
-    screen_ = common::createImage(setup.gpu, vk::Format::eR8G8B8A8Unorm, kExtent, Usage::eStorage | Usage::eTransferSrc,
+    screen_ = common::createImage(setup.gpu, vk::Format::eR8G8B8A8Unorm, extent, Usage::eStorage | Usage::eTransferSrc,
                                   "bench.screen");
     ocean_.emplace(require(pelagic::Ocean::create(setup.device, common::oceanInfo(scene_))));
     pelagic::CompositeTargets targets;
@@ -76,17 +81,19 @@ PassSamples samplePasses(Setup& setup) {
 }  // namespace
 
 void addFrames(Setup& setup, Results& results) {
-  for (const common::BuiltinScene& scene : common::builtinScenes()) {
-    const std::string name = "Frame/" + std::string(scene.name) + "/1280x720";
+  const auto add = [&](std::string scene, vk::Extent2D extent) {
+    const std::string name = nameOf(scene, extent);
     benchmark::RegisterBenchmark(name.c_str(),
-                                 [&setup, &results, scene, name](benchmark::State& state) {
-                                   Frame frame(setup, std::string(scene.name));
+                                 [&setup, &results, scene = std::move(scene), extent, name](benchmark::State& state) {
+                                   Frame frame(setup, scene, extent);
                                    measure(state, setup, results.start(name),
                                            [&](vk::CommandBuffer commands) { frame.record(commands); });
                                  })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
-  }
+  };
+  for (const common::BuiltinScene& scene : common::builtinScenes()) add(std::string(scene.name), kExtent);
+  add(std::string(common::kDefaultScene), kLargeExtent);
 }
 
 void addPasses(Setup& setup, Results& results) {

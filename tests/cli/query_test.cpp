@@ -60,6 +60,20 @@ TEST_F(QueryTest, BothSourcesAnswerEveryPointAtEveryTime) {
   EXPECT_NE(rows[0].numbers[3], rows[6].numbers[3]);
 }
 
+TEST_F(QueryTest, SeesTrochoidsAndMapsOfGain) {
+  writeFile("points.csv", "0,0\n20,5\n");
+  const std::string still = "--octave-gain 0,0,0,0,0,0,0,0,0,0,0,0";
+  succeed("query", "--points points.csv --time 0 --output wave.csv --trochoid 1.5,80,0,1,0 " + still + kSmall);
+  EXPECT_NEAR(table("wave.csv").at(0).numbers[3], 1.5, 1e-3) << "a crest at the origin";
+  succeed("query", "--points points.csv --time 0 --output picked.csv --pick-trochoids 12,0.2,0.5" + kSmall);
+  EXPECT_NE(table("picked.csv").at(0).numbers[3], 0);
+  // Any image is a map: the variances of a mode are nearly 0, and so is the sea under them.
+  succeed("bake", "--time 0 --output baked --variance --wind 5" + kSmall);
+  succeed("query",
+          "--points points.csv --time 0 --output flat.csv --gain-map baked/variance.c0.exr,-50,-50,10" + kSmall);
+  for (const Row& row : table("flat.csv")) EXPECT_NEAR(row.numbers[3], 0, 0.02);
+}
+
 TEST_F(QueryTest, VelocityIsTheHeightsChangeWhereWaterOnlyRises) {
   writeFile("points.csv", "3,4\n");
   // Without choppiness the water goes up and down only.

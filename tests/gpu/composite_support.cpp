@@ -99,6 +99,7 @@ glm::mat3 lookAlong(double yaw, double pitch) {
 SyntheticScene::SyntheticScene(const common::GpuDevice& gpu, vk::Extent2D size) : extent(size), gpu_(&gpu) {
   const std::size_t pixels = std::size_t{size.width} * size.height;
   body.assign(pixels, 0);
+  position.assign(pixels, glm::vec2(0));
   depth.assign(pixels, 0);
   hostDepth.assign(pixels, 0);
   camera.projection = perspective(0.8, static_cast<double>(size.width) / size.height, 0.1, true);
@@ -140,6 +141,7 @@ void SyntheticScene::createImages() {
 
 void SyntheticScene::upload() {
   copyInto(*gpu_, bodyImage_, body.data(), body.size());
+  copyInto(*gpu_, positionImage_, position.data(), position.size() * sizeof(glm::vec2));
   copyInto(*gpu_, depthImage_, depth.data(), depth.size() * sizeof(float));
   copyInto(*gpu_, hostDepthImage_, hostDepth.data(), hostDepth.size() * sizeof(float));
   gpu_->run([&](vk::CommandBuffer commands) {
@@ -148,7 +150,6 @@ void SyntheticScene::upload() {
     clear(commands, foamImage_, {foam, 0, 0, 0});
     clear(commands, radianceImage_, sky);
     clear(commands, environmentImage_, sky);
-    clear(commands, positionImage_, {0, 0, 0, 0});
     clear(commands, hostColorImage_, hostColor);
     for (const auto* image : {&output_, &normalImage_, &varianceImage_, &mergedImage_}) {
       clear(commands, *image, {kNan, kNan, kNan, kNan}, kFilled);

@@ -16,6 +16,7 @@ class SyntheticScene {
   vk::Extent2D extent;
   /// Per pixel.
   std::vector<std::uint8_t> body;
+  std::vector<glm::vec2> position;  ///< Undisplaced, from the eye [m].
   std::vector<float> depth;
   std::vector<float> hostDepth;
   std::array<float, 4> gradient{0, 0, 0, 0};

@@ -136,6 +136,47 @@ TEST_F(CompositeTest, FoamFarOffIsItsMeanCover) {
   }
 }
 
+/// Covariance of the foam's cover over its variance, at a lag in pixels.
+double correlation(const SyntheticScene& scene, std::uint32_t dx, std::uint32_t dy) {
+  const std::uint32_t width = scene.extent.width, height = scene.extent.height;
+  const auto cover = [&](std::uint32_t x, std::uint32_t y) {
+    return static_cast<double>(scene.normal[4 * (y * width + x) + 3]);
+  };
+  double mean = 0, variance = 0, product = 0;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) mean += cover(x, y) / (width * height);
+  }
+  for (std::uint32_t y = 0; y + dy < height; ++y) {
+    for (std::uint32_t x = 0; x + dx < width; ++x) {
+      variance += std::pow(cover(x, y) - mean, 2);
+      product += (cover(x, y) - mean) * (cover(x + dx, y + dy) - mean);
+    }
+  }
+  return product / variance;
+}
+
+TEST_F(CompositeTest, OldFoamIsBlownIntoStreaksByAStrongWind) {
+  SyntheticScene scene(gpu(), {160, 160});
+  scene.fillWater(100);
+  for (std::size_t i = 0; i < scene.position.size(); ++i) {
+    scene.position[i] = 0.6f * glm::vec2(static_cast<float>(i % 160), static_cast<float>(i / 160));
+  }
+  scene.foam = 0.3f;
+  for (const double direction : {0.0, std::numbers::pi / 2}) {
+    scene.waves.windDirection = direction;
+    scene.waves.windSpeed = 8;
+    scene.render(device());
+    const bool alongX = direction == 0;
+    const auto along = [&](std::uint32_t lag) { return correlation(scene, alongX ? lag : 0, alongX ? 0 : lag); };
+    const auto across = [&](std::uint32_t lag) { return correlation(scene, alongX ? 0 : lag, alongX ? lag : 0); };
+    EXPECT_LT(along(12), 0.1) << "lace of metres, no streaks";
+    scene.waves.windSpeed = 18;
+    scene.render(device());
+    EXPECT_GT(along(12), 0.15);
+    EXPECT_LT(across(12), 0.5 * along(12));
+  }
+}
+
 TEST_F(CompositeTest, FarWaterFadesIntoTheHorizon) {
   SyntheticScene scene(gpu(), {8, 8});
   scene.fillWater(20000);

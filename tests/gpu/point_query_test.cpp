@@ -198,6 +198,14 @@ TEST_F(PointQueryTest, AgreesUnderAMapOfGains) {
     ASSERT_LT(glm::length(results[i].normal - expected.normal), 2e-3);
     ASSERT_LT(glm::length(results[i].velocity - expected.velocity), 1e-3);
   }
+  for (float& gain : info.gain.gains) gain = 1.6f - gain;
+  ASSERT_TRUE(waves.setGain(info.gain));
+  ASSERT_TRUE(cpu.setGain(info.gain));
+  record(waves, 50);
+  const auto changed = ask(query, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_NEAR(changed[i].position.y, cpu.heightAt(points[i]), 1e-4 * waves.report().gridHeight);
+  }
   const pelagic::SurfaceRay ray{{5000, 20, 3}, {0.4, -1, 0.2}, 60};
   std::uint64_t ticket = 0;
   gpu().run([&](vk::CommandBuffer commands) { ticket = query.recordRays(commands, {&ray, 1}).value(); });

@@ -47,6 +47,34 @@ TEST_F(WaveFoamTest, FadesOverItsLifetime) {
   EXPECT_GT(fading, 0);
 }
 
+// A crest breaks and runs on; its foam stays with the water, which has come down into the trough behind it.
+TEST_F(WaveFoamTest, IsBornOnCrestsAndLeftInTroughs) {
+  const auto info = support::wavesInfo(128, 1, 16);
+  auto waves = create(info);
+  double born = 0, bornHeight = 0, old = 0, oldHeight = 0, oldInTroughs = 0;
+  for (int i = 0; i < 8; ++i) {
+    record(waves, 400.0 + 61 * i);
+    const auto fresh = foam(waves, 0);
+    const auto height = read(waves.maps(), 0)[0];
+    for (std::size_t texel = 0; texel < fresh.size(); ++texel) {
+      if (fresh[texel] > 0.97f) {
+        born += 1;
+        bornHeight += height[texel];
+      } else if (fresh[texel] > 0.2f && fresh[texel] < 0.7f) {
+        old += 1;
+        oldHeight += height[texel];
+        oldInTroughs += height[texel] < 0 ? 1 : 0;
+      }
+    }
+  }
+  ASSERT_GT(born, 100);
+  ASSERT_GT(old, 100);
+  const double deviation = waves.maps().elevationDeviation;
+  EXPECT_GT(bornHeight / born, 0.5 * deviation);
+  EXPECT_LT(oldHeight / old, 0.25 * deviation);
+  EXPECT_GT(oldInTroughs / old, 0.4);
+}
+
 TEST_F(WaveFoamTest, CoversWhatTheWindWants) {
   for (const double wind : {8.0, 12.0, 18.0}) {
     const auto info = support::wavesInfo(128, 3, wind);

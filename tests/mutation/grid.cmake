@@ -108,7 +108,7 @@ set(source sea_query.cpp)
 wrong_formula(displaced RIGHT "found.undisplaced + glm::dvec2(local.value.x, local.value.z) - point"
               WRONG "found.undisplaced - glm::dvec2(local.value.x, local.value.z) - point"
               CAUGHT_BY Query.ThePointIsTheWaterThatIsDisplacedThere)
-wrong_formula(layer RIGHT "sea.deviation * largestGain(sea.info.gain)" WRONG "sea.deviation / 6"
+wrong_formula(layer RIGHT "sea.deviation * sea.largestGain" WRONG "sea.deviation / 6"
               CAUGHT_BY Query.RaysMeetTheSurfaceWhereItIsFirst)
 wrong_formula(normal_up RIGHT "glm::cross(alongZ, alongX)" WRONG "glm::cross(alongX, alongZ)"
               CAUGHT_BY Query.BadInputIsNamedOrDefined)

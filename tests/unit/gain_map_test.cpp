@@ -106,6 +106,24 @@ TEST(GainMaps, OneGainEverywhereIsThatOfTheAmplitudes) {
   EXPECT_TRUE(gained.intersect({0, 30, 0}, {0.3, -1, 0.1}, 100));
 }
 
+// Depth, choppiness, gain and octaves at their limits fold the sea over and over: defined, if no sea.
+TEST(GainMaps, TheWildestSeaHasAHeightEverywhere) {
+  WavesInfo info;
+  info.sea.windSpeed = 60;
+  info.sea.depth = 0.5;
+  info.sea.choppiness = 2;
+  info.sea.octaveGain.fill(10);
+  info.layout = *waveLayout(info.sea, 3, 64);
+  info.gain = even(4);
+  SeaQuery query = *SeaQuery::create(info);
+  query.setTime(100);
+  for (int i = 0; i < 3000; ++i) {
+    const SurfacePoint point = query.at({1.3 * i, -0.7 * i});
+    ASSERT_TRUE(std::isfinite(point.position.y) && std::isfinite(point.normal.x)) << i;
+    ASSERT_LT(std::abs(point.position.y), 1e5);
+  }
+}
+
 TEST(GainMaps, ShadersFindTheirSamples) {
   WaveMaps maps;
   maps.layout = infoOf().layout;

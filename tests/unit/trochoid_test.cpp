@@ -213,6 +213,30 @@ TEST(Trochoids, CountInTheSpectrumsIntegrals) {
   EXPECT_EQ(longestPeakWavelength(sea), 400);
 }
 
+TEST(Trochoids, AreMetWhereTheirCrestsAddUp) {
+  SeaState sea = still();
+  for (int i = 0; i < 64; ++i) sea.trochoids.push_back({0.5, 40.0 + i, 0.02 * i, 0.1, 0});
+  auto query = *SeaQuery::create(infoOf(sea, 2, 256));
+  const double crest = query.heightAt({0, 0});
+  EXPECT_NEAR(crest, 32, 0.5) << "all phases are 0 at the origin";
+  const auto hit = query.intersect({0, 100, 0}, {0, -1, 0}, 200);
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->position.y, crest, 1e-6);
+}
+
+TEST(Trochoids, WithoutAFreeModeAreRefused) {
+  WavesInfo info;
+  info.layout.size = 64;
+  info.layout.count = 1;
+  info.layout.cascades[0] = {100, 0.99 * kTwoPi / 100, 1.01 * kTwoPi / 100};  // four modes, two pairs
+  info.sea = still();
+  info.sea.trochoids.assign(2, {0.1, 100, 0, 1, 0});
+  EXPECT_TRUE(SeaQuery::create(info));
+  info.sea.trochoids.resize(3, info.sea.trochoids[0]);
+  EXPECT_EQ(SeaQuery::create(info).error().message,
+            "SeaState::trochoids[2] finds no free mode in its cascade of this layout: others hold them all");
+}
+
 TEST(Trochoids, BadOnesAreNamed) {
   const auto message = [](auto change) {
     SeaState sea;

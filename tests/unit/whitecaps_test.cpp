@@ -120,6 +120,10 @@ TEST(Whitecaps, FoamDeclinesWithTheGainAsTheTailOfTheNormalDistribution) {
     }
   }
   EXPECT_EQ(pelagic::foamDecline({}, 1), 0);
+  // All foam: calmer is not less.
+  for (const double cover : {0.5, 0.9, 0.999}) {
+    EXPECT_GE(pelagic::foamDecline(bands, pelagic::foldThreshold(bands, cover)), 0) << cover;
+  }
 }
 
 /// Modes of a cascade 2 pi long, all of one stretch k^2 chop = 1.
