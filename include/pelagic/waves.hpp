@@ -32,7 +32,7 @@ struct WaveLayout {
 /// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational. The longest patch
 /// holds nearly all of the elevation, so from high up the sea is seen to repeat at its length: `span`, 0 … 1e5 [m],
 /// makes it that long at least. What it then cannot hold repeats in the next patch: the default sea over 2 km keeps
-/// 0.76 of its variance in the longest patch with 256 samples, 0.94 with 512, 0.99 with 1024.
+/// 0.76 of its variance in the longest patch with 256 samples, 0.94 with 512, 0.98 with 1024.
 Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count = 4, std::uint32_t size = 256,
                               double span = 0);
 

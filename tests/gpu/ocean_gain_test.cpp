@@ -3,6 +3,7 @@
 #include <pelagic/ocean.hpp>
 #include <pelagic/query.hpp>
 
+#include "support/even_gain.hpp"
 #include "support/gpu_test.hpp"
 
 namespace {
@@ -21,14 +22,6 @@ Camera camera() {
   const float aspect = static_cast<float>(kExtent.width) / static_cast<float>(kExtent.height);
   result.projection = {{f / aspect, 0, 0, 0}, {0, -f, 0, 0}, {0, 0, 0, -1}, {0, 0, 0.1f, 0}};
   return result;
-}
-
-GainMap even(float gain) {
-  GainMap map;
-  map.width = map.height = 2;
-  map.bands = 1;
-  map.gains.assign(4, gain);
-  return map;
 }
 
 struct Picture {
@@ -86,7 +79,7 @@ double meanFoam(const Picture& picture) {
 TEST_F(OceanGainTest, OneEverywhereChangesNothing) {
   OceanInfo info = ocean(14);
   const Picture plain = draw(info);
-  info.waves.gain = even(1);
+  info.waves.gain = support::evenGain(1);
   const Picture gained = draw(info);
   EXPECT_EQ(plain.depth, gained.depth);
   EXPECT_EQ(plain.normal, gained.normal);
@@ -95,7 +88,7 @@ TEST_F(OceanGainTest, OneEverywhereChangesNothing) {
 
 TEST_F(OceanGainTest, HalfEverywhereIsTheSeaOfHalfTheAmplitudes) {
   OceanInfo info = ocean();
-  info.waves.gain = even(0.5f);
+  info.waves.gain = support::evenGain(0.5f);
   const Picture gained = draw(info);
   info.waves.gain = {};
   info.waves.sea.octaveGain.fill(0.5);
@@ -114,15 +107,15 @@ TEST_F(OceanGainTest, HalfEverywhereIsTheSeaOfHalfTheAmplitudes) {
 
 TEST_F(OceanGainTest, FoamFollows) {
   OceanInfo info = ocean(18);
-  info.waves.gain = even(1);
+  info.waves.gain = support::evenGain(1);
   const double usual = meanFoam(draw(info));
   ASSERT_GT(usual, 0.003);
-  const double lull = meanFoam(draw(info, even(0.8f)));
-  const double gust = meanFoam(draw(info, even(1.15f)));
+  const double lull = meanFoam(draw(info, support::evenGain(0.8f)));
+  const double gust = meanFoam(draw(info, support::evenGain(1.15f)));
   EXPECT_LT(lull, 0.7 * usual);
   EXPECT_GT(lull, 0);
   EXPECT_GT(gust, usual);
-  EXPECT_EQ(meanFoam(draw(info, even(0))), 0);
+  EXPECT_EQ(meanFoam(draw(info, support::evenGain(0))), 0);
 }
 
 // A slick beyond a line across the picture: flat there, as it was before it.
@@ -162,9 +155,9 @@ TEST_F(OceanGainTest, BadMapsChangeNothing) {
   OceanInfo info = ocean();
   auto without = Ocean::create(device(), info);
   ASSERT_TRUE(without);
-  EXPECT_EQ(without->setGain(even(1)).error().message,
+  EXPECT_EQ(without->setGain(support::evenGain(1)).error().message,
             "GainMap has 2 x 2 samples, it must have 0 x 0 as the one that the simulation was created with");
-  info.waves.gain = even(1);
+  info.waves.gain = support::evenGain(1);
   info.waves.gain.gains[2] = 5;
   EXPECT_EQ(Ocean::create(device(), info).error().message, "GainMap::gains[2] is 5, it must lie in 0 … 4");
 }

@@ -14,24 +14,6 @@ constexpr double kSmallest = 0x1p-24;
 
 class WavePrecisionTest : public support::WavesTest {};
 
-/// Calm, breeze, gale, storm with swell, and swell in shallow water.
-std::vector<pelagic::SeaState> fiveSeas() {
-  std::vector<pelagic::SeaState> seas(5);
-  seas[0].windSpeed = 3;
-  seas[1].windSpeed = 8;
-  seas[1].windDirection = 2;
-  seas[2].windSpeed = 17;
-  seas[2].spectrum = pelagic::Spectrum::elfouhaily;
-  seas[3].windSpeed = 25;
-  seas[3].fetch = 400e3;
-  seas[3].swell.push_back({4, 16, 1, 30});
-  seas[4].windSpeed = 6;
-  seas[4].depth = 8;
-  seas[4].spectrum = pelagic::Spectrum::tma;
-  seas[4].swell.push_back({1, 11, 2, 50});
-  return seas;
-}
-
 /// Root mean square and largest size of differences.
 struct Error {
   double squares = 0;
@@ -53,7 +35,7 @@ std::size_t texelOf(std::size_t point, std::uint32_t cascade, std::size_t texels
 }
 
 TEST_F(WavePrecisionTest, HalfMapsStayWithinTheirErrorBudget) {
-  for (const auto& sea : fiveSeas()) {
+  for (const auto& sea : support::fiveSeas()) {
     pelagic::WavesInfo info;
     info.sea = sea;
     info.layout = pelagic::waveLayout(sea, 4, kSize).value();

@@ -32,21 +32,9 @@ glm::dvec3 lookUp(const std::vector<Fields>& maps, const pelagic::WaveLayout& la
 }
 
 TEST_F(WaveQueryTest, AgreesWithTheMapsInFiveSeas) {
-  std::vector<pelagic::SeaState> seas(5);
-  seas[0].windSpeed = 3;
-  seas[1].windSpeed = 8;
-  seas[1].windDirection = 2;
-  seas[2].windSpeed = 14;
-  seas[2].spectrum = pelagic::Spectrum::elfouhaily;
-  seas[3].windSpeed = 20;
-  seas[3].choppiness = 0.8;
-  seas[4].windSpeed = 9;
-  seas[4].depth = 8;
-  seas[4].spectrum = pelagic::Spectrum::tma;
-  seas[4].swell.push_back({1.5, 11, 1, 30});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-5e3, 5e3);
-  for (const pelagic::SeaState& sea : seas) {
+  for (const pelagic::SeaState& sea : support::fiveSeas()) {
     pelagic::WavesInfo info;
     info.sea = sea;
     info.layout = *pelagic::waveLayout(sea, 3, 128);

@@ -32,6 +32,23 @@ double phase(std::uint32_t cycles, double time, double loopPeriod) {
 
 }  // namespace
 
+std::vector<pelagic::SeaState> fiveSeas() {
+  std::vector<pelagic::SeaState> seas(5);
+  seas[0].windSpeed = 3;
+  seas[1].windSpeed = 8;
+  seas[1].windDirection = 2;
+  seas[2].windSpeed = 17;
+  seas[2].spectrum = pelagic::Spectrum::elfouhaily;
+  seas[3].windSpeed = 25;
+  seas[3].fetch = 400e3;
+  seas[3].swell.push_back({4, 16, 1, 30});
+  seas[4].windSpeed = 6;
+  seas[4].depth = 8;
+  seas[4].spectrum = pelagic::Spectrum::tma;
+  seas[4].swell.push_back({1, 11, 2, 50});
+  return seas;
+}
+
 pelagic::WavesInfo wavesInfo(std::uint32_t size, std::uint32_t count, double windSpeed) {
   pelagic::WavesInfo info;
   info.sea.windSpeed = windSpeed;

@@ -25,6 +25,8 @@ class WavesTest : public GpuTest {
   Fields read(const pelagic::WaveMaps& maps, std::uint32_t cascade);
 };
 
+/// Calm, breeze, gale, storm with swell, and swell in shallow water.
+std::vector<pelagic::SeaState> fiveSeas();
 pelagic::WavesInfo wavesInfo(std::uint32_t size, std::uint32_t count, double windSpeed = 8);
 
 /// The eight spectra of a cascade at `time`, transformed by FFTW in double precision, one field at a time. Phases come

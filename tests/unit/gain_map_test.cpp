@@ -5,6 +5,8 @@
 #include <pelagic/wave_sampling.hpp>
 #include <waves/gain_field.hpp>
 
+#include "support/even_gain.hpp"
+
 namespace {
 
 using namespace pelagic;
@@ -26,15 +28,6 @@ WavesInfo infoOf(double wind = 9) {
   info.sea.windSpeed = wind;
   info.layout = *waveLayout(info.sea, 2, 64);
   return info;
-}
-
-/// The same gain everywhere.
-GainMap even(float gain) {
-  GainMap map;
-  map.width = map.height = 2;
-  map.bands = 1;
-  map.gains.assign(4, gain);
-  return map;
 }
 
 TEST(GainMaps, AreLinearBetweenSamplesAndConstantBeyond) {
@@ -88,7 +81,7 @@ TEST(GainMaps, QueriesFollowTheGainAndItsSlope) {
 
 TEST(GainMaps, OneGainEverywhereIsThatOfTheAmplitudes) {
   WavesInfo info = infoOf();
-  info.gain = even(0.5f);
+  info.gain = support::evenGain(0.5f);
   SeaQuery gained = *SeaQuery::create(info);
   info.gain = {};
   info.sea.octaveGain.fill(0.5);
@@ -114,7 +107,7 @@ TEST(GainMaps, TheWildestSeaHasAHeightEverywhere) {
   info.sea.choppiness = 2;
   info.sea.octaveGain.fill(10);
   info.layout = *waveLayout(info.sea, 3, 64);
-  info.gain = even(4);
+  info.gain = support::evenGain(4);
   SeaQuery query = *SeaQuery::create(info);
   query.setTime(100);
   for (int i = 0; i < 3000; ++i) {

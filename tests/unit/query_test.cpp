@@ -5,7 +5,8 @@
 #include <numbers>
 #include <pelagic/query.hpp>
 #include <random>
-#include <waves/cpu_lattice.hpp>
+
+#include "lattice.hpp"
 
 namespace {
 
@@ -17,18 +18,6 @@ WavesInfo infoOf(const SeaState& sea, std::uint32_t count = 2, std::uint32_t siz
   info.sea = sea;
   info.layout = *waveLayout(sea, count, size);
   return info;
-}
-
-CpuLattice latticeOf(const WavesInfo& info, std::uint32_t cascade, double time, double kMax = HUGE_VAL) {
-  SeaChange sea;
-  sea.after = makeGridSea(info.sea, info);
-  CpuLattice lattice(sea, info, cascade, kMax);
-  const InverseFft fft(info.layout.size);
-  const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
-  ComplexPlane plane{std::vector<float>(count), std::vector<float>(count)};
-  ComplexPlane scratch = plane;
-  lattice.evolve(time, {}, fft, plane, scratch);
-  return lattice;
 }
 
 /// (Dx, h, Dz) by the sum of the modes in double precision, with the quantised frequencies.
@@ -64,7 +53,7 @@ TEST(Query, LatticeIsTheSumOfTheModesAtAnyTime) {
     info.loopPeriod = loop;
     for (const double time : {0.0, 3600.25, 86400.0, 2592000.5, -17.0}) {
       for (std::uint32_t c = 0; c < 2; ++c) {
-        const CpuLattice lattice = latticeOf(info, c, time);
+        const CpuLattice lattice = unit::latticeOf(info, c, time);
         for (const glm::uvec2 at : {glm::uvec2(0, 0), glm::uvec2(7, 33), glm::uvec2(63, 12)}) {
           const glm::dvec3 expected = directSum(info, c, glm::dvec2(at) * info.layout.cascades[c].length / 64.0, time);
           const glm::vec4 texel = lattice.texels().displacement[at.y * 64 + at.x];
@@ -86,7 +75,7 @@ TEST(Query, GradientsAndMotionAreDerivatives) {
   const std::size_t index = at.y * 64 + at.x;
   const double cell = info.layout.cascades[0].length / 64;
   const glm::dvec2 p = glm::dvec2(at) * cell;
-  const CpuLattice lattice = latticeOf(info, 0, time);
+  const CpuLattice lattice = unit::latticeOf(info, 0, time);
   constexpr double kStep = 1e-3;
   const auto sum = [&](double x, double z, double t) { return directSum(info, 0, p + glm::dvec2(x, z), time + t); };
   const glm::dvec3 alongX = (sum(kStep, 0, 0) - sum(-kStep, 0, 0)) / (2 * kStep);
@@ -119,7 +108,7 @@ TEST(Query, ThePointIsTheWaterThatIsDisplacedThere) {
   SeaQuery query = *SeaQuery::create(info, 1);
   query.setTime(100);
   std::vector<CpuLattice> lattices;
-  for (std::uint32_t c = 0; c < 2; ++c) lattices.push_back(latticeOf(info, c, 100, kTwoPi));
+  for (std::uint32_t c = 0; c < 2; ++c) lattices.push_back(unit::latticeOf(info, c, 100, kTwoPi));
   std::mt19937 random(5);
   int missed = 0;
   double variance = 0;

@@ -4,8 +4,9 @@
 #include <numbers>
 #include <pelagic/query.hpp>
 #include <set>
-#include <waves/cpu_lattice.hpp>
 #include <waves/trochoids.hpp>
+
+#include "lattice.hpp"
 
 namespace {
 
@@ -35,14 +36,7 @@ struct Profile {
 };
 
 Profile profileOf(const WavesInfo& info, double time) {
-  SeaChange sea;
-  sea.after = makeGridSea(info.sea, info);
-  CpuLattice lattice(sea, info, 0, HUGE_VAL);
-  const InverseFft fft(info.layout.size);
-  const std::size_t count = std::size_t{info.layout.size} * info.layout.size;
-  ComplexPlane plane{std::vector<float>(count), std::vector<float>(count)};
-  ComplexPlane scratch = plane;
-  lattice.evolve(time, {}, fft, plane, scratch);
+  const CpuLattice lattice = unit::latticeOf(info, 0, time);
   Profile profile;
   profile.length = info.layout.cascades[0].length;
   for (std::uint32_t i = 0; i < info.layout.size; ++i) {
