@@ -161,8 +161,9 @@ Fields seaFields(SeaSettings& sea) {
       numberField("loop", "SECONDS", "Period after which the sea repeats exactly", {1, 4194304, "s"}, sea.loopPeriod),
       wholeField("cascades", "N", "Number of FFT patches", 1, pelagic::kMaxCascades,
                  [&sea](std::uint64_t count) { sea.cascades = static_cast<std::uint32_t>(count); }),
-      numberField("span", "M", "Least length of the longest patch, after which the sea is seen to repeat",
+      numberField("span", "M", "Least length of the longest patch, after which the sea repeats without --warp",
                   {0, 1e5, "m"}, sea.span),
+      numberField("warp", "X", "How far waves differ from those a patch away, 0 not at all", {0, 0.1, ""}, sea.warp),
       {"size", "N", "Samples along each side of a patch: 64, 128, 256, 512, 1024",
        [&sea](const std::string& where, const Texts& t) {
          static const Choices<std::uint32_t> sizes{
@@ -178,6 +179,7 @@ pelagic::WavesInfo wavesInfo(const SeaSettings& sea, pelagic::MapPrecision preci
   info.layout = unwrap(pelagic::waveLayout(sea.state, sea.cascades, sea.size, sea.span));
   info.loopPeriod = sea.loopPeriod;
   info.precision = precision;
+  info.warp = sea.warp;
   info.gain = sea.gain;
   return info;
 }

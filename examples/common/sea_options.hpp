@@ -13,7 +13,8 @@ struct SeaSettings {
   pelagic::GainMap gain;
   double loopPeriod = 4194304;  ///< [s]
   std::uint32_t cascades = 4;
-  double span = 0;           ///< Least length of the longest cascade [m].
+  double span = 0;  ///< Least length of the longest cascade [m].
+  double warp = pelagic::WavesInfo().warp;
   std::uint32_t size = 256;  ///< Samples along each side of a cascade.
 };
 

@@ -121,6 +121,7 @@ void drawSea(common::SeaSettings& sea, Clock& clock, Changes& changes) {
   changes.layout |= ImGui::SliderScalar("Cascades", ImGuiDataType_U32, &sea.cascades, &one, &pelagic::kMaxCascades,
                                         "%u", ImGuiSliderFlags_AlwaysClamp);
   changes.layout |= slide("Span [m]", sea.span, 0, 10000, 1, "%.0f");
+  changes.layout |= slide("Warp", sea.warp, 0, 0.1, 1, "%.3f");
   changes.layout |= slide("Loop [s]", sea.loopPeriod, 1, 4194304, 1, "%.0f", true);
 }
 

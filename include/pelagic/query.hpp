@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <pelagic/waves.hpp>
+#include <span>
 
 namespace pelagic {
 
@@ -41,6 +42,8 @@ class SeaQuery {
   SurfacePoint at(const glm::dvec2& point) const noexcept;
   /// Height alone [m], which is cheaper.
   double heightAt(const glm::dvec2& point) const noexcept;
+  /// Heights [m] of many points, sooner than one by one: as many as both hold.
+  void heightsAt(std::span<const glm::dvec2> points, std::span<double> heights) const noexcept;
   /// First point where a ray meets the surface, from above or below, within `reach` [m] of its origin. `direction` need
   /// not be of unit length. None also when it is 0 or anything is not finite.
   std::optional<SurfacePoint> intersect(const glm::dvec3& origin, const glm::dvec3& direction,

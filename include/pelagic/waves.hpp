@@ -28,11 +28,12 @@ struct WaveLayout {
   std::array<Cascade, kMaxCascades> cascades{};
 };
 
-/// The layout for the strongest sea a simulation is to hold: longest patch 8 peak wavelengths of its longest train,
+/// The layout for the strongest sea a simulation is to hold: longest patch kPatchWavelengths of its longest train,
 /// inner edges at mode >= 16, outer edges at 0.7 of the Nyquist mode, ratios of lengths irrational. The longest patch
-/// holds nearly all of the elevation, so from high up the sea is seen to repeat at its length: `span`, 0 … 1e5 [m],
-/// makes it that long at least. What it then cannot hold repeats in the next patch: the default sea over 2 km keeps
-/// 0.76 of its variance in the longest patch with 256 samples, 0.94 with 512, 0.98 with 1024.
+/// holds nearly all of the elevation. Where patches are laid side by side without WavesInfo::warp, the sea repeats at
+/// its length: `span`, 0 … 1e5 [m], makes it that long at least. What it then cannot hold repeats in the next patch:
+/// the default sea over 2 km keeps 0.76 of its variance in the longest patch with 256 samples, 0.94 with 512, 0.98
+/// with 1024.
 Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count = 4, std::uint32_t size = 256,
                               double span = 0);
 
@@ -49,6 +50,12 @@ struct WavesInfo {
   MapPrecision precision = MapPrecision::half;
   /// Calls of record() whose command buffers may be unfinished at a time, 1 … 4.
   std::uint32_t framesInFlight = 2;
+  /// How far the patches are warped, so that nothing is seen to repeat: the standard deviation of each component of
+  /// the warp's gradient, 0 … 0.1 [1]. Wavelengths and directions vary by as much from place to place, over 3 to 12
+  /// lengths of the longest patch, at unchanged frequencies: what a buoy measures stays exact, slope variances grow by
+  /// the factor 1 + 2 warp^2. The default leaves a correlation of less than 0.05 with any other place; 0: the patches
+  /// are laid side by side.
+  double warp = 0.05;
   /// Empty: the sea is the same everywhere, and shaders do not look. Width and height are fixed from here on.
   GainMap gain;
 };
@@ -75,6 +82,7 @@ struct WaveMaps {
   double foamDecline = 0;    ///< w of foamOfGain() in shader/wave_gain.glsl [1].
 
   WaveLayout layout;
+  double warp = 0;           ///< As WavesInfo::warp.
   double windDirection = 0;  ///< [rad], as in SeaState.
   double windSpeed = 0;      ///< [m/s], as in SeaState.
   /// Slope variance of the real sea that no cascade resolves, along and across the wind [1]: Cox & Munk's total less
@@ -94,8 +102,11 @@ struct WaveMaps {
 /// How long foam lives after a crest broke [s].
 inline constexpr double kFoamLifetime = 8;
 
-/// How many peak wavelengths of the longest train waveLayout() puts into the longest patch.
+/// How many peak wavelengths of the longest train the longest patch must hold at least.
 inline constexpr double kLeastWavelengths = 8;
+/// How many waveLayout() puts there: the more, the less warp hides that the patch repeats, but the sooner the shortest
+/// waves are left to the unresolved variance.
+inline constexpr double kPatchWavelengths = 11.5;
 
 /// What the sea asked for has become on the grid.
 struct SeaReport {

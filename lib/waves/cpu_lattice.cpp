@@ -7,12 +7,6 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// std::floor() is a call where the processor is not known to round.
-std::int64_t floorOf(double x) noexcept {
-  const auto whole = static_cast<std::int64_t>(x);
-  return whole - (x < static_cast<double>(whole));
-}
-
 glm::vec2 timesI(const glm::vec2& z) noexcept { return {-z.y, z.x}; }
 
 }  // namespace
@@ -138,20 +132,6 @@ void CpuLattice::evolve(double time, const Share& share, const InverseFft& fft, 
       (*imaginary.map)[i][imaginary.channel] = plane.im[i];
     }
   }
-}
-
-LatticePlace CpuLattice::placeOf(const glm::dvec2& point) const noexcept {
-  const glm::dvec2 at = point * density_;
-  const std::int64_t baseX = floorOf(at.x);
-  const std::int64_t baseZ = floorOf(at.y);
-  const std::size_t x = static_cast<std::size_t>(baseX) & (size_ - 1);
-  const std::size_t z = static_cast<std::size_t>(baseZ) & (size_ - 1);
-  const std::size_t nextX = (x + 1) & (size_ - 1);
-  const std::size_t row = z * size_;
-  const std::size_t nextRow = ((z + 1) & (size_ - 1)) * size_;
-  return {{row + x, row + nextX, nextRow + x, nextRow + nextX},
-          static_cast<float>(at.x - static_cast<double>(baseX)),
-          static_cast<float>(at.y - static_cast<double>(baseZ))};
 }
 
 }  // namespace pelagic

@@ -24,6 +24,12 @@ struct LatticePlace {
   }
 };
 
+/// std::floor() is a call where the processor is not known to round.
+inline std::int64_t floorOf(double x) noexcept {
+  const auto whole = static_cast<std::int64_t>(x);
+  return whole - (x < static_cast<double>(whole));
+}
+
 class CpuLattice {
  public:
   /// Modes with |k| > kMax are left out.
@@ -34,6 +40,14 @@ class CpuLattice {
 
   const LatticeTexels& texels() const noexcept { return texels_; }
   LatticePlace placeOf(const glm::dvec2& point) const noexcept;
+  /// Fetches what is displaced at a place, which is to be asked for soon.
+  void prefetch(const LatticePlace& place) const noexcept {
+#ifdef __GNUC__
+    for (const std::size_t corner : place.corners) __builtin_prefetch(&texels_.displacement[corner]);
+#else
+    static_cast<void>(place);
+#endif
+  }
   /// Texels per metre.
   double density() const noexcept { return density_; }
 
@@ -71,5 +85,19 @@ class CpuLattice {
   std::vector<Mode> modes_;
   LatticeTexels texels_;
 };
+
+inline LatticePlace CpuLattice::placeOf(const glm::dvec2& point) const noexcept {
+  const glm::dvec2 at = point * density_;
+  const std::int64_t baseX = floorOf(at.x);
+  const std::int64_t baseZ = floorOf(at.y);
+  const std::size_t x = static_cast<std::size_t>(baseX) & (size_ - 1);
+  const std::size_t z = static_cast<std::size_t>(baseZ) & (size_ - 1);
+  const std::size_t nextX = (x + 1) & (size_ - 1);
+  const std::size_t row = z * size_;
+  const std::size_t nextRow = ((z + 1) & (size_ - 1)) * size_;
+  return {{row + x, row + nextX, nextRow + x, nextRow + nextX},
+          static_cast<float>(at.x - static_cast<double>(baseX)),
+          static_cast<float>(at.y - static_cast<double>(baseZ))};
+}
 
 }  // namespace pelagic

@@ -105,6 +105,7 @@ Result<void> validate(const WavesInfo& info) {
   }
   PELAGIC_CHECK(validate(info.layout, info.loopPeriod));
   PELAGIC_CHECK(validate(info.sea, info.layout));
+  if (!(info.warp >= 0 && info.warp <= 0.1)) return rejectField("WavesInfo::warp", info.warp, "lie in 0 … 0.1");
   PELAGIC_CHECK(validate(info.gain, info.layout.count));
   if (info.precision != MapPrecision::half && info.precision != MapPrecision::single) {
     return rejectField("WavesInfo::precision", static_cast<int>(info.precision), "be one of the enumerators");

@@ -25,7 +25,7 @@ Result<WaveLayout> waveLayout(const SeaState& strongest, std::uint32_t count, st
   constexpr double kHighest = 8000;  // [rad/m]
   constexpr double kLeastRatio = 1.3;
   const double shortest = outerMode * 2 * std::numbers::pi / kHighest;
-  double length = std::fmax(std::fmax(kLeastWavelengths * longestPeakWavelength(strongest), span),
+  double length = std::fmax(std::fmax(kPatchWavelengths * longestPeakWavelength(strongest), span),
                             shortest * std::pow(kLeastRatio, count - 1));
   double ratio = outerMode / 16 * (std::numbers::e / 2.8);
   if (count > 1) ratio = std::fmin(ratio, std::pow(length / shortest, 1.0 / (count - 1)));

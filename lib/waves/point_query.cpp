@@ -1,9 +1,11 @@
 #include <shared/query.h>
 
+#include <bit>
 #include <cmath>
 #include <pelagic/point_query.hpp>
 #include <waves/motion.hpp>
 #include <waves/surface_ray.hpp>
+#include <waves/warp.hpp>
 #include <waves/waves_impl.hpp>
 
 #include "waves_query_points.spv.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 using vk::DescriptorType;
 
-enum Binding : std::uint32_t { bDisplacement, bGradient, bMoments, bMotion, bStarts, bRays, bResults, bGain };
+enum Binding : std::uint32_t { bDisplacement, bGradient, bMoments, bMotion, bStarts, bRays, bResults, bGain, bWarp };
 
 using Turns = glm::uvec2;  ///< A place in a patch, 2^32 along each side.
 
@@ -52,7 +54,9 @@ struct PointQuery::Impl {
   Waves::Impl* waves = nullptr;
   PointQueryInfo info;
   gpu::Unique<vk::Sampler> sampler;
-  gpu::Buffer still;  ///< Stands for the motion where there is none.
+  std::optional<Warp> warp;
+  gpu::Buffer warpStill;  ///< Its parts that do not depend on the place.
+  gpu::Buffer still;      ///< Stands for the motion where there is none.
   WaveMotion motion;
   std::uint64_t movedTo = 0;  ///< The recording of the waves whose motion is there.
   gpu::ComputePass pointPass, rayPass;
@@ -81,7 +85,8 @@ Result<void> PointQuery::Impl::createPasses() {
                                    {bStarts, DescriptorType::eStorageBuffer},
                                    {bRays, DescriptorType::eStorageBuffer},
                                    {bResults, DescriptorType::eStorageBuffer},
-                                   {bGain, DescriptorType::eCombinedImageSampler}};
+                                   {bGain, DescriptorType::eCombinedImageSampler},
+                                   {bWarp, DescriptorType::eStorageBuffer}};
   const WaveLayout& layout = waves->info.layout;
   const std::uint32_t constants[] = {layout.size, layout.count, info.motion ? 1u : 0u, waves->gain.width > 0 ? 1u : 0u};
   PELAGIC_TRY(points, gpu::ComputePass::create(*context, {"query points", shaders::waves_query_points, bindings,
@@ -103,8 +108,9 @@ Result<void> PointQuery::Impl::createCall(Call& call, std::uint32_t index) {
     return {};
   };
   const vk::DeviceSize capacity = info.capacity;
-  PELAGIC_CHECK(create(call.starts, "query starts ", sizeof(Turns) * (waves->info.layout.count + 1) * capacity,
-                       Placement::upload));
+  constexpr std::uint32_t kPhasePairs = 4;
+  PELAGIC_CHECK(create(call.starts, "query starts ",
+                       sizeof(Turns) * (waves->info.layout.count + 1 + kPhasePairs) * capacity, Placement::upload));
   PELAGIC_CHECK(create(call.rays, "query rays ", sizeof(shader::QueryRay) * capacity, Placement::upload));
   PELAGIC_CHECK(create(call.results, "query results ", sizeof(shader::QueryResult) * capacity, Placement::readback));
   call.origins.reserve(info.capacity);
@@ -123,6 +129,7 @@ Result<void> PointQuery::Impl::createCall(Call& call, std::uint32_t index) {
     // Bound to something where there is no map, and untouched.
     const VkImageView gain = waves->gainImage.map().view;
     set.sampled(bGain, gain ? gain : VkImageView(images.displacement[i].view()), *sampler);
+    set.buffer(bWarp, warpStill.handle());
     call.sets[i] = std::move(set);
   }
   return {};
@@ -144,6 +151,11 @@ Result<PointQuery> PointQuery::create(Device& device, const Waves& waves, const 
                                            vk::BufferUsageFlagBits::eStorageBuffer));
     impl->still = std::move(still);
   }
+  impl->warp.emplace(impl->waves->info.layout, impl->waves->info.warp);
+  PELAGIC_TRY(warpStill, gpu::Buffer::create(*impl->context, Stage::waves, "query warp", sizeof(shader::WaveWarp),
+                                             vk::BufferUsageFlagBits::eStorageBuffer, gpu::Buffer::Placement::upload));
+  *static_cast<shader::WaveWarp*>(warpStill.mapped()) = impl->warp->relativeTo({0, 0});
+  impl->warpStill = std::move(warpStill);
   PELAGIC_CHECK(impl->createPasses());
   impl->calls.resize(info.callsInFlight);
   for (std::uint32_t i = 0; i < info.callsInFlight; ++i) PELAGIC_CHECK(impl->createCall(impl->calls[i], i));
@@ -175,6 +187,13 @@ void PointQuery::Impl::start(Call& call, std::size_t item, std::size_t count, co
     *turns = exists ? Turns(turnsOf(place.x, length), turnsOf(place.y, length)) : Turns(0);
   }
   *turns = exists ? glm::floatBitsToUint(glm::vec2((place - waves->gain.origin) / waves->gain.spacing)) : Turns(0);
+  const shader::WaveWarp there = warp->relativeTo(exists ? place : glm::dvec2(0));
+  for (const glm::vec4& phases : there.phase) {
+    for (int i = 0; i < 4; i += 2) {
+      turns += count;
+      *turns = {std::bit_cast<std::uint32_t>(phases[i]), std::bit_cast<std::uint32_t>(phases[i + 1])};
+    }
+  }
 }
 
 void PointQuery::Impl::dispatch(vk::CommandBuffer commands, Call& call, std::size_t count) noexcept {

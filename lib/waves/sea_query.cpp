@@ -9,41 +9,46 @@
 #include <waves/gain_field.hpp>
 #include <waves/surface_ray.hpp>
 #include <waves/trochoids.hpp>
+#include <waves/warp.hpp>
 
 namespace pelagic {
 namespace {
 
-/// (Dx, h, Dz, dDz/dx) at a point of the undisplaced plane, and its slope between the texels there.
+/// (Dx, h, Dz, dDz/dx) at a point of the undisplaced plane, and its slope between the texels there, in which the warp's
+/// own, a few hundredths of it, is left out.
 struct Local {
-  glm::vec4 value{0};
-  glm::vec4 alongX{0};  ///< Per metre.
-  glm::vec4 alongZ{0};
+  Float4 value{};
+  Float4 alongX{};  ///< Per metre.
+  Float4 alongZ{};
 };
 
 void addLocal(const CpuLattice& lattice, const Gain& gain, const glm::dvec2& point, Local& local) noexcept {
   const LatticePlace place = lattice.placeOf(point);
-  const auto& texels = lattice.texels().displacement;
-  const glm::vec4 nearRow = texels[place.corners[1]] - texels[place.corners[0]];
-  const glm::vec4 farRow = texels[place.corners[3]] - texels[place.corners[2]];
-  const glm::vec4 low = texels[place.corners[0]] + nearRow * place.x;
-  const glm::vec4 rise = texels[place.corners[2]] + farRow * place.x - low;
-  const auto perMetre = static_cast<float>(lattice.density());
-  const glm::vec4 value = low + rise * place.z;
+  const auto texel = [&](int i) { return float4Of(lattice.texels().displacement[place.corners[i]]); };
+  const Float4 nearLow = texel(0);
+  const Float4 farLow = texel(2);
+  const Float4 nearRow = texel(1) - nearLow;
+  const Float4 farRow = texel(3) - farLow;
+  const Float4 low = nearLow + nearRow * place.x;
+  const Float4 rise = farLow + farRow * place.x - low;
+  const Float4 value = low + rise * place.z;
+  const float perMetre = gain.value * static_cast<float>(lattice.density());
   local.value += gain.value * value;
-  local.alongX += gain.value * (nearRow + (farRow - nearRow) * place.z) * perMetre + gain.alongX * value;
-  local.alongZ += gain.value * rise * perMetre + gain.alongZ * value;
+  local.alongX += perMetre * (nearRow + (farRow - nearRow) * place.z) + gain.alongX * value;
+  local.alongZ += perMetre * rise + gain.alongZ * value;
 }
 
-/// The water that is displaced to a place, p + D(p) = place.
+/// The water that is displaced to a place: its rest relative to the place [m], and its height [m].
 struct Found {
-  glm::dvec2 undisplaced{0};
-  double height = 0;
+  glm::vec2 offset{0};
+  float height = 0;
 };
 
 }  // namespace
 
 struct SeaQuery::Impl {
   WavesInfo info;
+  Warp warp;
   double kMax = 0;
   double time = 0;
   SeaChange sea;
@@ -57,13 +62,20 @@ struct SeaQuery::Impl {
   Impl(const WavesInfo& wanted, double shortestWavelength);
   void build(SeaChange change);
   void evolve() noexcept;
-  Found find(const glm::dvec2& point) const noexcept;
+  Gain gainOf(std::uint32_t cascade, const glm::dvec2& point) const noexcept {
+    return info.gain.width == 0 ? Gain{} : gainAt(info.gain, cascade, point);
+  }
+  /// `there`: the warp at `point`.
+  Found find(const glm::dvec2& point, const LocalWarp& there) const noexcept;
   SurfacePoint surfaceAt(const glm::dvec2& point) const noexcept;
-  double heightAt(const glm::dvec2& point) const noexcept { return find(point).height; }
+  double heightAt(const glm::dvec2& point) const noexcept {
+    return static_cast<double>(find(point, warp.at(point)).height);
+  }
 };
 
 SeaQuery::Impl::Impl(const WavesInfo& wanted, double shortestWavelength)
     : info(wanted),
+      warp(wanted.layout, wanted.warp),
       kMax(shortestWavelength > 0 ? 2 * std::numbers::pi / shortestWavelength : HUGE_VAL),
       largestGain(pelagic::largestGain(wanted.gain)),
       fft(wanted.layout.size) {
@@ -91,49 +103,56 @@ void SeaQuery::Impl::evolve() noexcept {
   for (CpuLattice& lattice : lattices) lattice.evolve(time, share, fft, plane, scratch);
 }
 
-Found SeaQuery::Impl::find(const glm::dvec2& point) const noexcept {
-  constexpr auto kLeastJacobian = static_cast<double>(shader::kLeastJacobian);
-  constexpr auto kLongestStep = static_cast<double>(shader::kLongestStep);
-  constexpr auto kLeastMiss = static_cast<double>(shader::kLeastMiss);
-  Found found{point, 0};
+Found SeaQuery::Impl::find(const glm::dvec2& point, const LocalWarp& there) const noexcept {
+  Found found;
   for (std::uint32_t i = 0; i < shader::kNewtonSteps; ++i) {
     Local local;
-    for (std::uint32_t c = 0; c < lattices.size(); ++c) {
-      addLocal(lattices[c], gainAt(info.gain, c, found.undisplaced), found.undisplaced, local);
-    }
-    const glm::dvec2 miss = found.undisplaced + glm::dvec2(local.value.x, local.value.z) - point;
-    const glm::dvec4 x(local.alongX);
-    const glm::dvec4 z(local.alongZ);
-    const double determinant = std::max((1 + x.x) * (1 + z.z) - x.z * z.x, kLeastJacobian);
-    glm::dvec2 step = glm::dvec2((1 + z.z) * miss.x - z.x * miss.y, (1 + x.x) * miss.y - x.z * miss.x) / -determinant;
-    step *= kLongestStep / std::max(glm::length(step), kLongestStep);
-    found.undisplaced += step;
-    found.height = static_cast<double>(local.value.y) + x.y * step.x + z.y * step.y;
-    if (glm::dot(miss, miss) < kLeastMiss * kLeastMiss) break;
+    const glm::dvec2 rest = point + glm::dvec2(found.offset);
+    const glm::dvec2 place = rest + glm::dvec2(there.shiftAt(found.offset));
+    for (std::uint32_t c = 0; c < lattices.size(); ++c) addLocal(lattices[c], gainOf(c, rest), place, local);
+    const glm::vec2 miss = found.offset + glm::vec2(local.value[0], local.value[2]);
+    const Float4& x = local.alongX;
+    const Float4& z = local.alongZ;
+    const float determinant = std::max((1 + x[0]) * (1 + z[2]) - x[2] * z[0], shader::kLeastJacobian);
+    glm::vec2 step((1 + z[2]) * miss.x - z[0] * miss.y, (1 + x[0]) * miss.y - x[2] * miss.x);
+    step *= 1 / -determinant;
+    const float longest = shader::kLongestStep * shader::kLongestStep;
+    if (glm::dot(step, step) > longest) step *= shader::kLongestStep / glm::length(step);
+    found.offset += step;
+    found.height = local.value[1] + x[1] * step.x + z[1] * step.y;
+    if (glm::dot(miss, miss) < shader::kLeastMiss * shader::kLeastMiss) break;
   }
   return found;
 }
 
 SurfacePoint SeaQuery::Impl::surfaceAt(const glm::dvec2& point) const noexcept {
   SurfacePoint result;
-  const Found found = find(point);
-  const glm::dvec2 p = found.undisplaced;
-  // P_x and P_z of P = (x + Dx, h, z + Dz), where h and D carry a gain that has slopes of its own.
+  const LocalWarp there = warp.at(point);
+  const Found found = find(point, there);
+  const glm::dvec2 p = point + glm::dvec2(found.offset);
+  const glm::dvec2 place = p + glm::dvec2(there.shiftAt(found.offset));
+  // P_x and P_z of P = (x + Dx, h, z + Dz), where h and D carry a gain that has slopes of its own, and its derivatives
+  // over the patches.
   glm::dvec3 alongX(1, 0, 0);
   glm::dvec3 alongZ(0, 0, 1);
+  glm::dmat2x3 patch(0);
   for (std::uint32_t c = 0; c < lattices.size(); ++c) {
-    const LatticePlace place = lattices[c].placeOf(p);
+    const LatticePlace on = lattices[c].placeOf(place);
     const LatticeTexels& texels = lattices[c].texels();
-    const Gain gain = gainAt(info.gain, c, p);
-    const glm::vec4 d = place.value(texels.displacement);
-    const glm::vec4 g = place.value(texels.gradient);
-    alongX += gain.value * glm::vec3(g.z, g.x, d.w) + gain.alongX * glm::vec3(d);
-    alongZ += gain.value * glm::vec3(d.w, g.y, g.w) + gain.alongZ * glm::vec3(d);
-    result.velocity += gain.value * glm::vec3(place.value(texels.velocity));
-    result.acceleration += gain.value * glm::vec3(place.value(texels.acceleration));
+    const Gain gain = gainOf(c, p);
+    const glm::vec4 d = on.value(texels.displacement);
+    const glm::vec4 g = on.value(texels.gradient);
+    patch += glm::dmat2x3(gain.value * glm::mat2x3(g.z, g.x, d.w, d.w, g.y, g.w));
+    alongX += gain.alongX * glm::vec3(d);
+    alongZ += gain.alongZ * glm::vec3(d);
+    result.velocity += gain.value * glm::vec3(on.value(texels.velocity));
+    result.acceleration += gain.value * glm::vec3(on.value(texels.acceleration));
   }
-  result.position = {point.x, found.height, point.y};
+  result.position = {point.x, static_cast<double>(found.height), point.y};
   result.undisplaced = p;
+  const glm::dmat2 stretch = glm::dmat2(1) + glm::dmat2(there.slopes);
+  alongX += patch * stretch[0];
+  alongZ += patch * stretch[1];
   const glm::dvec3 normal = glm::cross(alongZ, alongX);
   const double length = glm::length(normal);
   if (length > 0) result.normal = normal / length;
@@ -184,6 +203,28 @@ SurfacePoint SeaQuery::at(const glm::dvec2& point) const noexcept {
 
 double SeaQuery::heightAt(const glm::dvec2& point) const noexcept {
   return onEarth(point) ? impl_->heightAt(point) : std::nan("");
+}
+
+void SeaQuery::heightsAt(std::span<const glm::dvec2> points, std::span<double> heights) const noexcept {
+  // The maps do not fit the nearest cache: all that a group needs is fetched side by side.
+  constexpr std::size_t kGroup = 16;
+  const Impl& sea = *impl_;
+  const std::size_t count = std::min(points.size(), heights.size());
+  for (std::size_t first = 0; first < count; first += kGroup) {
+    const std::size_t end = std::min(first + kGroup, count);
+    std::array<LocalWarp, kGroup> warps;
+    for (std::size_t i = first; i < end; ++i) {
+      if (!onEarth(points[i])) continue;
+      LocalWarp& there = warps[i - first] = sea.warp.at(points[i]);
+      for (const CpuLattice& lattice : sea.lattices) {
+        lattice.prefetch(lattice.placeOf(points[i] + glm::dvec2(there.shift)));
+      }
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      const bool exists = onEarth(points[i]);
+      heights[i] = exists ? static_cast<double>(sea.find(points[i], warps[i - first]).height) : std::nan("");
+    }
+  }
 }
 
 std::optional<SurfacePoint> SeaQuery::intersect(const glm::dvec3& origin, const glm::dvec3& direction,

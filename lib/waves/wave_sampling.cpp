@@ -1,10 +1,12 @@
 #include <cmath>
 #include <pelagic/wave_sampling.hpp>
+#include <waves/warp.hpp>
 
 namespace pelagic {
 
 shader::WaveSampling waveSampling(const WaveMaps& maps, const glm::dvec2& origin) noexcept {
   shader::WaveSampling sampling{};
+  sampling.warp = Warp(maps.layout, maps.warp).relativeTo(origin);
   const double halfTexel = 0.5 / maps.layout.size;
   for (std::uint32_t c = 0; c < maps.layout.count; ++c) {
     const double length = maps.layout.cascades[c].length;

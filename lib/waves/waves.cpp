@@ -171,6 +171,7 @@ WaveMaps Waves::maps() const noexcept {
   maps.gainOrigin = impl_->gain.origin;
   maps.gainSpacing = impl_->gain.spacing;
   maps.layout = impl_->info.layout;
+  maps.warp = impl_->info.warp;
   const double share = impl_->sea.share(impl_->shown).value;
   const SeaMoments moments = impl_->sea.momentsAt(share);
   maps.windDirection = impl_->sea.windDirectionAt(share);

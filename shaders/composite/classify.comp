@@ -49,10 +49,11 @@ float steepestView(uvec2 tile) {
 uint foamingCascades(Water water, float view) {
   float side = 2.0 * float(kTileSize) * water.distance * frame.waterAlbedo.w / clamp(view - kSteepFace, 0.02, 1.0);
   uint mask = 0u;
+  vec2 q = water.position + waveWarp(frame.waves.warp, water.position);
   for (uint c = 0u; c < frame.waves.cascades; ++c) {
     vec4 placement = frame.waves.placement[c];
     float lod = min(ceil(waveLod(placement, float(frame.waves.size), side)), frame.waves.maxLod);
-    float foam = textureLod(foamMap, vec3(waveUv(placement, water.position), float(c)), lod).r;
+    float foam = textureLod(foamMap, vec3(waveUv(placement, q), float(c)), lod).r;
     mask |= foam > 0.0 ? 1u << c : 0u;
   }
   return mask;

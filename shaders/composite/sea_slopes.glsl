@@ -32,11 +32,12 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
   float foamFree = 1.0;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
+  vec2 q = p + waveWarp(frame.waves.warp, p);
   uint c = 0u;
   do {
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), side);
-    vec3 place = vec3(waveUv(placement, p), float(c));
+    vec3 place = vec3(waveUv(placement, q), float(c));
     vec4 g = textureLod(gradientMap, place, lod);
     vec4 m = textureLod(momentsMap, place, lod);
     // Toward the end of what is resolved, all goes over into the expected variance.
@@ -54,20 +55,21 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
       uint foamy = uint(findLSB(foaming));
       vec4 placement = frame.waves.placement[foamy];
       float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
-      float fresh = textureLod(foamMap, vec3(waveUv(placement, p), float(foamy)), lod).r;
+      float fresh = textureLod(foamMap, vec3(waveUv(placement, q), float(foamy)), lod).r;
       foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);
   }
 
   SeaPoint sea;
-  // P_z x P_x with P_x = (1 + dDx/dx, dh/dx, dDz/dx), P_z = (dDz/dx, dh/dz, 1 + dDz/dz); its y is the Jacobian, which is
-  // small or negative only where the surface folds over.
-  float xx = 1.0 + gradient.z;
-  float zz = 1.0 + gradient.w;
-  float xz = moments.w;
-  float jacobian = max(xx * zz - xz * xz, 0.15);
-  sea.slope = vec2(zz * gradient.x - xz * gradient.y, xx * gradient.y - xz * gradient.x) / jacobian;
+  // Of h(q) over p + D(q) with q = p + w(p), whose derivatives are those over q times E = 1 + dw/dp: the slope s is what
+  // solves (E^-T + dD/dq) s = dh/dq. The determinant is small or negative only where the surface folds over. The covariance
+  // of what is left keeps to q: E is 1 in the mean.
+  mat2 still = inverse(transpose(mat2(1.0) + waveWarpSlopes(frame.waves.warp, p)));
+  mat2 stretch = still + mat2(gradient.z, moments.w, moments.w, gradient.w);
+  float jacobian = max(determinant(stretch), 0.15);
+  sea.slope = vec2(stretch[1][1] * gradient.x - stretch[1][0] * gradient.y,
+                   stretch[0][0] * gradient.y - stretch[0][1] * gradient.x) / jacobian;
   sea.slope *= min(1.0, 1.2 * inversesqrt(max(dot(sea.slope, sea.slope), 1e-8)));  // crests break before they are steeper
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   // Waves that no cascade holds are like the shortest that one does.

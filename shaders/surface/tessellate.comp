@@ -27,13 +27,14 @@ shared uint outside;  // bits of what every vertex of the block lies outside of
 // left to shading.
 vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
   vec3 sum = vec3(0);
+  vec2 q = p + waveWarp(frame.waves.warp, p);
   uint c = 0;
   do {  // there is at least one, and software devices run a body that a loop's head has masked out
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), footprint);
     // The last mip is the patch's mean, which is zero.
     float gain = kGain ? waveGain(gainMap, frame.waves.gain, p, c) : 1.0;
-    if (lod < frame.waves.maxLod) sum += gain * textureLod(map, vec3(waveUv(placement, p), float(c)), lod).xyz;
+    if (lod < frame.waves.maxLod) sum += gain * textureLod(map, vec3(waveUv(placement, q), float(c)), lod).xyz;
   } while (++c < frame.waves.cascades);
   return sum;
 }

@@ -1,9 +1,10 @@
 // The sea at single points: the lattice of the wave maps, linear between their texels in 32 bits (the weights of filtering
-// hardware have 8). Include after "shared/query.h".
+// hardware have 8). Include after "shared/query.h" and wave_sampling.h.
 #ifndef PELAGIC_WAVES_QUERY_GLSL
 #define PELAGIC_WAVES_QUERY_GLSL
 
 #include "pelagic/shader/wave_gain.glsl"
+#include "pelagic/shader/wave_lookup.glsl"
 
 layout(local_size_x = kQueryThreads) in;
 layout(constant_id = 0) const uint kSize = 256;
@@ -17,11 +18,12 @@ layout(set = 0, binding = 1) uniform sampler2DArray gradientMap;
 layout(set = 0, binding = 2) uniform sampler2DArray momentsMap;
 layout(set = 0, binding = 3, std430) readonly buffer Motion { vec4 motion[]; };
 // Of every point or ray in every cascade: its start's place in the patch, 2^32 a patch. All points of cascade 0 first. After
-// the last cascade: its place in the map of gains, in samples, as floats.
+// the last cascade: its place in the map of gains, in samples, as floats; then, four times, two phases of the warp there.
 layout(set = 0, binding = 4, std430) readonly buffer Starts { uvec2 starts[]; };
 layout(set = 0, binding = 5, std430) readonly buffer Rays { QueryRay rays[]; };
 layout(set = 0, binding = 6, std430) writeonly buffer Results { QueryResult results[]; };
 layout(set = 0, binding = 7) uniform sampler2DArray gainMap;
+layout(set = 0, binding = 8, std430) readonly buffer Warp { WaveWarp still; };  // without phases
 layout(push_constant) uniform Push { QueryPush push; };
 
 float turnsPerMetre(uint cascade) { return push.turnsPerMetre[cascade / 4][cascade % 4]; }
@@ -36,10 +38,15 @@ uvec2 turnsOf(vec2 patches) {
 // loop reads or computes anew each time out wrong to lanes that leave it early.
 uvec2 start[8];
 vec2 gainStart;
+WaveWarp warp;  // of places relative to the start
 
 void load(uint item) {
   [[unroll]] for (uint c = 0; c < kCascades; ++c) start[c] = starts[c * push.count + item];
   gainStart = kGain ? uintBitsToFloat(starts[kCascades * push.count + item]) : vec2(0);
+  warp = still;
+  const uint first = (kCascades + 1) * push.count + item;
+  warp.phase[0] = uintBitsToFloat(uvec4(starts[first], starts[first + push.count]));
+  warp.phase[1] = uintBitsToFloat(uvec4(starts[first + 2 * push.count], starts[first + 3 * push.count]));
 }
 
 // Gain of a cascade's waves, and its slopes [1/m].
@@ -56,7 +63,7 @@ struct Place {
   vec2 share;
 };
 
-// From the start to `target` and on to `offset` [m].
+// From the start to `target` and on to `offset` [m], which the warp is added to.
 Place placeOf(uint cascade, vec2 target, vec2 offset) {
   const float scale = turnsPerMetre(cascade);
   const uvec2 turns = start[cascade] + turnsOf(target * scale) + turnsOf(offset * scale);
@@ -93,13 +100,13 @@ vec3 motionAt(uint order, Place p) {
                          motion[far + p.high.x]), p.share).xzy;
 }
 
-// (Dx, h, Dz) and its slope between the texels [per m].
+// (Dx, h, Dz) and its slope between the texels [per m], in which the warp's own, a few hundredths of it, is left out.
 struct Local {
   vec3 value, alongX, alongZ;
 };
 
-void addLocal(uint cascade, vec2 target, vec2 offset, inout Local local) {
-  const Place place = placeOf(cascade, target, offset);
+void addLocal(uint cascade, vec2 target, vec2 offset, vec2 shift, inout Local local) {
+  const Place place = placeOf(cascade, target, offset + shift);
   const Corners c = cornersOf(displacementMap, place);
   const float texelsPerMetre = turnsPerMetre(cascade) * float(kSize);
   const vec3 nearRow = c.nearHigh.xyz - c.nearLow.xyz;
@@ -113,20 +120,21 @@ void addLocal(uint cascade, vec2 target, vec2 offset, inout Local local) {
   local.alongZ += gain.x * rise * texelsPerMetre + gain.z * value;
 }
 
-// The water that is displaced to a place: its rest relative to the place [m], and its height [m].
+// The water that is displaced to a place, with the warp there, as good as linear so close by: its rest relative to the place [m], and its height [m].
 struct Found {
   vec2 offset;
   float height;
 };
 
-// Newton's iteration from `target`, the (x, z) of the place relative to the start [m].
-Found find(vec2 target) {
+// Newton's iteration, which the warp's slopes would not quicken, from `target`, the (x, z) of the place relative to the start [m].
+Found find(vec2 target, vec2 shift, mat2 slopes) {
   Found found = Found(vec2(0), 0);
   uint steps = 0;
   bool misses;
   do {
     Local local = Local(vec3(0), vec3(0), vec3(0));
-    [[unroll]] for (uint c = 0; c < kCascades; ++c) addLocal(c, target, found.offset, local);
+    const vec2 warped = shift + slopes * found.offset;
+    [[unroll]] for (uint c = 0; c < kCascades; ++c) addLocal(c, target, found.offset, warped, local);
     const vec2 miss = found.offset + local.value.xz;
     const vec3 x = local.alongX;
     const vec3 z = local.alongZ;
@@ -141,20 +149,28 @@ Found find(vec2 target) {
   return found;
 }
 
+float heightAt(vec2 target) { return find(target, waveWarp(warp, target), waveWarpSlopes(warp, target)).height; }
+
 void storeSurface(uint item, vec2 target, bool met) {
-  const Found found = find(target);
-  // P_x and P_z of P = (x + Dx, h, z + Dz).
+  const vec2 shift = waveWarp(warp, target);
+  const mat2 slopes = waveWarpSlopes(warp, target);
+  const Found found = find(target, shift, slopes);
+  // P_x and P_z of P = (x + Dx, h, z + Dz), and its derivatives over the patches.
   vec3 alongX = vec3(1, 0, 0);
   vec3 alongZ = vec3(0, 0, 1);
+  vec3 patchX = vec3(0);
+  vec3 patchZ = vec3(0);
+  const vec2 rest = target + found.offset;
+  const vec2 warped = shift + slopes * found.offset;
   vec3 velocity = vec3(0);
   vec3 acceleration = vec3(0);
   [[unroll]] for (uint c = 0; c < kCascades; ++c) {
-    const Place place = placeOf(c, target, found.offset);
-    const vec3 gain = gainAt(c, target + found.offset);
+    const Place place = placeOf(c, target, found.offset + warped);
+    const vec3 gain = gainAt(c, rest);
     const vec4 g = between(cornersOf(gradientMap, place), place.share);
     const float twist = between(cornersOf(momentsMap, place), place.share).w;  // dDz/dx
-    alongX += gain.x * vec3(g.z, g.x, twist);
-    alongZ += gain.x * vec3(twist, g.y, g.w);
+    patchX += gain.x * vec3(g.z, g.x, twist);
+    patchZ += gain.x * vec3(twist, g.y, g.w);
     if (kGain) {
       const vec3 d = between(cornersOf(displacementMap, place), place.share).xyz;
       alongX += gain.y * d;
@@ -165,6 +181,9 @@ void storeSurface(uint item, vec2 target, bool met) {
       acceleration += gain.x * motionAt(1, place);
     }
   }
+  const mat2 stretch = mat2(1) + slopes;
+  alongX += mat2x3(patchX, patchZ) * stretch[0];
+  alongZ += mat2x3(patchX, patchZ) * stretch[1];
   const vec3 normal = cross(alongZ, alongX);
   const float size = length(normal);
   QueryResult result;

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 // The surface vertically over or under points.
 #include "shared/query.h"
+#include "pelagic/shader/wave_sampling.h"
 #include "waves/query.glsl"
 
 void main() {

@@ -3,11 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 // Where rays first meet the surface: followed in steps that no face can overtake, then bisected.
 #include "shared/query.h"
+#include "pelagic/shader/wave_sampling.h"
 #include "waves/query.glsl"
 
 // Height of the ray over the surface at distance t [m].
 float gapAt(QueryRay ray, float t) {
-  return ray.height + t * ray.direction.y - find(t * ray.direction.xz).height;
+  return ray.height + t * ray.direction.y - heightAt(t * ray.direction.xz);
 }
 
 void main() {

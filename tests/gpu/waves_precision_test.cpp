@@ -69,7 +69,9 @@ TEST_F(WavePrecisionTest, HalfMapsStayWithinTheirErrorBudget) {
           total += static_cast<double>(a[i]) + static_cast<double>(a[i + 1]);
           difference += static_cast<double>(b[i]) + static_cast<double>(b[i + 1]);
         }
-        if (total > 0) variance.add(difference / total - 1);
+        // Beside the last step of the smallest halves, in which calm water's are counted.
+        const double steps = static_cast<double>(a.size() / 2) * kSmallest / kUnit;
+        if (total > 0) variance.add((difference - total) / (total + steps));
       }
     }
     Error height, slope;

@@ -8,11 +8,14 @@ namespace {
 
 class WavesTrochoidTest : public support::WavesTest {};
 
+constexpr std::uint32_t kSize = 128;
+
+/// Sixteen of it fit the patch.
 pelagic::WavesInfo oneWave() {
   pelagic::WavesInfo info;
   info.sea.octaveGain.fill(0);
   info.sea.trochoids = {{1.5, 64, 0, 2, 0.3}};
-  info.layout = *pelagic::waveLayout(info.sea, 2, 64);
+  info.layout = *pelagic::waveLayout(info.sea, 2, kSize, 16 * 64);
   info.precision = pelagic::MapPrecision::single;
   return info;
 }
@@ -26,8 +29,8 @@ TEST_F(WavesTrochoidTest, StandInTheMaps) {
   const double k = 2 * std::numbers::pi / wave.wavelength;
   const auto maps = read(waves.maps(), 0);
   const double length = info.layout.cascades[0].length;
-  for (std::size_t i = 0; i < 64; ++i) {
-    const double x = length * static_cast<double>(i) / 64;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const double x = length * static_cast<double>(i) / kSize;
     const double phase = k * x - pelagic::angularFrequency(k, info.sea.depth) * 2.5 + 0.3;
     EXPECT_NEAR(maps[0][i], 1.5 * std::cos(phase), 1e-4);
     EXPECT_NEAR(maps[1][i], -3.0 * std::sin(phase), 2e-4);
@@ -46,7 +49,7 @@ TEST_F(WavesTrochoidTest, FadeByWavelengthOverCellAndLeaveTheirSlopes) {
   const pelagic::Trochoid wave = waves.trochoids().at(0);
   const double k = 2 * std::numbers::pi / wave.wavelength;
   const double slopes = 0.5 * std::pow(k * wave.amplitude, 2);
-  const double texel = info.layout.cascades[0].length / 64;
+  const double texel = info.layout.cascades[0].length / kSize;
   // Two texels a wavelength, mip 2, see what their phase lets them see.
   for (const std::uint32_t mip : {0u, 1u, 3u, 4u, 5u}) {
     const double cell = texel * std::exp2(mip);
@@ -70,7 +73,8 @@ TEST_F(WavesTrochoidTest, FadeByWavelengthOverCellAndLeaveTheirSlopes) {
 TEST_F(WavesTrochoidTest, AreInTheQueriesToo) {
   auto info = support::wavesInfo(64, 2, 9);
   info.precision = pelagic::MapPrecision::single;
-  info.sea.trochoids = {{0.8, 60, 1, 1, 0}, {0.3, 15, -0.5, 3, 1}};
+  info.warp = 0;
+  info.sea.trochoids = {{0.8, 60, 1, 1, 0}, {0.3, 25, -0.5, 3, 1}};
   auto waves = create(info);
   record(waves, 5);
   auto query = *pelagic::SeaQuery::create(info);

@@ -1,7 +1,7 @@
 # The discretisation and what is computed from it; see WrongFormula.cmake.
 
 set(source layout.cpp)
-wrong_formula(patch_length RIGHT "kLeastWavelengths * longestPeakWavelength(strongest)"
+wrong_formula(patch_length RIGHT "kPatchWavelengths * longestPeakWavelength(strongest)"
               WRONG "longestPeakWavelength(strongest)" CAUGHT_BY Layout.PartitionsTheWaveNumbers)
 wrong_formula(nyquist RIGHT "0.7 * 0.5 * size" WRONG "0.7 * size" CAUGHT_BY Layout.PartitionsTheWaveNumbers)
 wrong_formula(outer_edge RIGHT "outerMode * 2 * std::numbers::pi / length" WRONG "outerMode / length"
@@ -92,8 +92,6 @@ wrong_formula(displacement_sign RIGHT "timesI(of.chop) * m.kx" WRONG "timesI(of.
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)
 wrong_formula(displacement_axis RIGHT "timesI(of.chop) * m.kz" WRONG "timesI(of.chop) * m.kx"
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)
-wrong_formula(place RIGHT "point * density_" WRONG "point * (0.5 * density_)"
-              CAUGHT_BY Query.NormalsBelongToTheDisplacedSurface)
 wrong_formula(slope RIGHT "timesI(of.h) * m.kx" WRONG "timesI(of.h) * -m.kx" CAUGHT_BY Query.GradientsAndMotionAreDerivatives)
 wrong_formula(stretch RIGHT "of.chop * (-m.kx * m.kx)" WRONG "of.chop * (m.kx * m.kx)"
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)
@@ -105,17 +103,28 @@ wrong_formula(acceleration RIGHT "-wave.frequency * wave.frequency" WRONG "wave.
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)
 
 set(source sea_query.cpp)
-wrong_formula(displaced RIGHT "found.undisplaced + glm::dvec2(local.value.x, local.value.z) - point"
-              WRONG "found.undisplaced - glm::dvec2(local.value.x, local.value.z) - point"
+wrong_formula(displaced RIGHT "found.offset + glm::vec2(local.value[0], local.value[2])"
+              WRONG "found.offset - glm::vec2(local.value[0], local.value[2])"
               CAUGHT_BY Query.ThePointIsTheWaterThatIsDisplacedThere)
 wrong_formula(layer RIGHT "sea.deviation * sea.largestGain" WRONG "sea.deviation / 6"
               CAUGHT_BY Query.RaysMeetTheSurfaceWhereItIsFirst)
 wrong_formula(normal_up RIGHT "glm::cross(alongZ, alongX)" WRONG "glm::cross(alongX, alongZ)"
               CAUGHT_BY Query.BadInputIsNamedOrDefined)
-wrong_formula(normal_stretch RIGHT "gain.value * glm::vec3(g.z, g.x, d.w)" WRONG "gain.value * glm::vec3(-g.z, g.x, d.w)" CAUGHT_BY Query.NormalsBelongToTheDisplacedSurface)
+wrong_formula(normal_stretch RIGHT "glm::mat2x3(g.z, g.x, d.w, d.w, g.y, g.w)" WRONG "glm::mat2x3(-g.z, g.x, d.w, d.w, g.y, g.w)" CAUGHT_BY Query.NormalsBelongToTheDisplacedSurface)
 wrong_formula(newton RIGHT "-determinant" WRONG "determinant" CAUGHT_BY Query.ThePointIsTheWaterThatIsDisplacedThere)
 wrong_formula(shortest RIGHT "2 * std::numbers::pi / shortestWavelength" WRONG "1 / shortestWavelength"
               CAUGHT_BY Query.ThePointIsTheWaterThatIsDisplacedThere)
+
+wrong_formula(warped_normal RIGHT "patch * stretch[0]" WRONG "patch * stretch[1]"
+              CAUGHT_BY Query.NormalsBelongToTheDisplacedSurface)
+
+set(source warp.cpp)
+wrong_formula(gradient RIGHT "std::sqrt(3.0 / 128)" WRONG "std::sqrt(3.0 / 64)" CAUGHT_BY Warp.GradientsHaveTheDeviationAskedFor)
+wrong_formula(wave RIGHT "t * (8.0f - 16.0f * absolute(t))" WRONG "t * (8.0f - 8.0f * absolute(t))"
+              CAUGHT_BY Warp.SlopesAreDerivatives)
+wrong_formula(rate RIGHT "8.0f - 32.0f * absolute(t)" WRONG "8.0f - 16.0f * absolute(t)" CAUGHT_BY Warp.SlopesAreDerivatives)
+wrong_formula(transposed RIGHT "sumOf(xz)" WRONG "sumOf(zx)"
+              CAUGHT_BY Warp.SlopesAreDerivatives)
 
 set(source whitecaps.cpp)
 wrong_formula(stretch RIGHT "chop * (kx * kx + kz * kz)" WRONG "chop * std::hypot(kx, kz)"

@@ -19,7 +19,7 @@ TEST(Layout, PartitionsTheWaveNumbers) {
   const SeaState sea;
   for (const std::uint32_t size : {64u, 256u, 1024u}) {
     const WaveLayout layout = layoutOf(sea, 4, size);
-    EXPECT_NEAR(layout.cascades[0].length, 8 * longestPeakWavelength(sea), 1e-9);
+    EXPECT_NEAR(layout.cascades[0].length, kPatchWavelengths * longestPeakWavelength(sea), 1e-9);
     for (std::uint32_t c = 0; c < 4; ++c) {
       const Cascade& patch = layout.cascades[c];
       const double mode = kTwoPi / patch.length;
@@ -127,15 +127,16 @@ TEST(Modes, SumToTheSpectrumsIntegrals) {
 
 TEST(GridSea, SaysWhenThePatchesAreTooShort) {
   WavesInfo info;
-  info.layout = layoutOf(info.sea, 2, 64);
+  info.layout = layoutOf(info.sea, 2, 128);
   const SeaReport fits = makeGridSea(info.sea, info).report;
-  EXPECT_NEAR(fits.wavelengthsInPatch, kLeastWavelengths, 1e-9);
-  EXPECT_NEAR(fits.gridHeight / fits.targetHeight, 1, 0.03);  // two small cascades end at 2.5 m
+  EXPECT_NEAR(fits.wavelengthsInPatch, kPatchWavelengths, 1e-9);
+  EXPECT_NEAR(fits.gridHeight / fits.targetHeight, 1, 0.03);  // two small cascades end at 0.6 m
   SeaState storm;
-  storm.windSpeed = 25;
+  storm.windSpeed = 30;
   storm.fetch = 1e7;
   const SeaReport tooShort = makeGridSea(storm, info).report;
-  EXPECT_NEAR(tooShort.wavelengthsInPatch, 8 * longestPeakWavelength(info.sea) / longestPeakWavelength(storm), 1e-9);
+  EXPECT_NEAR(tooShort.wavelengthsInPatch,
+              kPatchWavelengths * longestPeakWavelength(info.sea) / longestPeakWavelength(storm), 1e-9);
   EXPECT_LT(tooShort.wavelengthsInPatch, 1);
 }
 

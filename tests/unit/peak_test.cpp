@@ -99,9 +99,9 @@ TEST(GridPeak, IsTheTargetsInEverySea) {
 TEST(GridPeak, DepartsWhenTheLayoutIsTooShort) {
   // Half a peak wavelength fits into the patch: its longest mode has 1/sqrt(2) of the peak's period.
   const SeaState sea;
-  EXPECT_NEAR(reportOf(sea, 0.5 / 8).gridPeakPeriod / peakPeriod(sea), std::sqrt(0.5), 0.01);
+  EXPECT_NEAR(reportOf(sea, 0.5 / kPatchWavelengths).gridPeakPeriod / peakPeriod(sea), std::sqrt(0.5), 0.01);
   // One and a half: the peak falls between the first modes, and how they lie decides.
-  EXPECT_GT(std::abs(reportOf(sea, 1.5 / 8).gridPeakPeriod / peakPeriod(sea) - 1), 0.02);
+  EXPECT_GT(std::abs(reportOf(sea, 1.5 / kPatchWavelengths).gridPeakPeriod / peakPeriod(sea) - 1), 0.02);
 }
 
 TEST(GridPeak, IsThatOfTheFrequenciesThatALoopAllows) {

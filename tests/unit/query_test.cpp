@@ -6,6 +6,8 @@
 #include <pelagic/query.hpp>
 #include <random>
 
+#include <waves/warp.hpp>
+
 #include "lattice.hpp"
 
 namespace {
@@ -109,20 +111,31 @@ TEST(Query, ThePointIsTheWaterThatIsDisplacedThere) {
   query.setTime(100);
   std::vector<CpuLattice> lattices;
   for (std::uint32_t c = 0; c < 2; ++c) lattices.push_back(unit::latticeOf(info, c, 100, kTwoPi));
+  const Warp warp(info.layout, info.warp);
   std::mt19937 random(5);
   int missed = 0;
   double variance = 0;
+  double bent = 0;
   constexpr int kPoints = 20000;
   for (int i = 0; i < kPoints; ++i) {
     const glm::dvec2 point = randomPoint(random, i % 2 ? 1e3 : 1e7);
     const SurfacePoint at = query.at(point);
-    glm::dvec4 d(0);
-    for (const CpuLattice& lattice : lattices) {
-      d += glm::dvec4(lattice.placeOf(at.undisplaced).value(lattice.texels().displacement));
-    }
+    const auto displaced = [&](const glm::vec2& shift) {
+      glm::dvec4 sum(0);
+      for (const CpuLattice& lattice : lattices) {
+        const LatticePlace place = lattice.placeOf(at.undisplaced + glm::dvec2(shift));
+        sum += glm::dvec4(place.value(lattice.texels().displacement));
+      }
+      return sum;
+    };
+    const glm::dvec4 d = displaced(warp.at(point).shiftAt(glm::vec2(at.undisplaced - point)));
+    bent = std::max(bent, std::abs(d.y - displaced(warp.at(at.undisplaced).shift).y));
     missed += glm::length(at.undisplaced + glm::dvec2(d.x, d.z) - point) > 1e-5;
     EXPECT_NEAR(at.position.y, d.y, 1e-5);
     EXPECT_EQ(query.heightAt(point), at.position.y);
+    double together = 0;
+    query.heightsAt({&point, 1}, {&together, 1});
+    EXPECT_EQ(together, at.position.y);
     EXPECT_EQ(at.position.x, point.x);
     EXPECT_EQ(at.position.z, point.y);
     EXPECT_NEAR(glm::length(at.normal), 1, 1e-12);
@@ -131,12 +144,37 @@ TEST(Query, ThePointIsTheWaterThatIsDisplacedThere) {
   // Where crests fold, none of Newton's steps may meet; that is less than a thousandth of a sea of 8 m/s.
   EXPECT_LE(missed, kPoints / 1000);
   EXPECT_NEAR(4 * std::sqrt(variance / kPoints) / significantWaveHeight(sea), 1, 0.1);
+  // The warp is as good as linear over what the water is displaced.
+  EXPECT_LT(bent, 1e-4 * significantWaveHeight(sea));
+}
+
+TEST(Query, ManyHeightsAreThoseOfThePointsOneByOne) {
+  SeaQuery query = *SeaQuery::create(infoOf(SeaState{}), 1);
+  query.setTime(3);
+  std::mt19937 random(5);
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < 1000; ++i) points.push_back(randomPoint(random, 1e4));
+  points[17].x = std::nan("");
+  points[40].y = 1e30;
+  std::vector<double> heights(points.size());
+  query.heightsAt(points, heights);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double alone = query.heightAt(points[i]);
+    EXPECT_TRUE(heights[i] == alone || (std::isnan(heights[i]) && std::isnan(alone))) << i;
+  }
+  // As many as both hold.
+  std::vector<double> few(37, 0.0);
+  query.heightsAt(points, few);
+  EXPECT_EQ(few.back(), heights[36]);
+  std::vector<double> many(points.size() + 1, -7.0);
+  query.heightsAt(points, many);
+  EXPECT_EQ(many.back(), -7);
 }
 
 TEST(Query, NormalsBelongToTheDisplacedSurface) {
   SeaState sea;
   sea.windSpeed = 9;
-  SeaQuery query = *SeaQuery::create(infoOf(sea, 1, 256), 15);  // some 20 cells a wave
+  SeaQuery query = *SeaQuery::create(infoOf(sea, 1, 256), 22);  // some 20 cells a wave
   std::mt19937 random(7);
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 p = randomPoint(random, 500);

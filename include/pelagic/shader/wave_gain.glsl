@@ -25,7 +25,9 @@ float waveGain(sampler2DArray map, vec4 gain, vec2 p, uint cascade) {
 // the normal distribution. Less foam is younger foam, the last of it the cores; more of it is denser.
 float foamOfGain(float freshness, float gain, float w) {
   float share = exp(-w * (1.0 / max(gain * gain, 1e-4) - 1.0));
-  return share < 1.0 ? max(0.0, 1.0 - (1.0 - freshness) / max(share, 1e-6)) : min(1.0, freshness * share);
+  // What breaks this very moment has an age too, or it would go on breaking where there are no waves.
+  float age = max(1.0 - freshness, 1e-3);
+  return share < 1.0 ? max(0.0, 1.0 - age / max(share, 1e-6)) : min(1.0, freshness * share);
 }
 
 #endif

@@ -5,7 +5,17 @@
 
 PELAGIC_SHADER_BEGIN
 
+// The slow warp between the sea and the patches: the sum of eight waves, in two groups of four.
+struct WaveWarp {
+  vec4 alongX[2];  // turns per metre along x
+  vec4 alongZ[2];  // and along z
+  vec4 phase[2];   // turns at the origin, within a half
+  vec4 shiftX[2];  // amplitude along x [m]
+  vec4 shiftZ[2];  // and along z
+};
+
 struct WaveSampling {
+  WaveWarp warp;
   // Per cascade: x 1/L [1/m], yz texture coordinate of the origin (the texel offset included), w L [m].
   vec4 placement[8];
   // Expected slope covariance of each cascade: x of dh/dx, y of dh/dz, z of both [1].
