@@ -12,23 +12,28 @@ layout(binding = 1, std430) writeonly buffer Tiles { uint tileWords[]; };
 struct Water {
   float distance;  // along the camera's axis [m], less than 0 without water
   vec2 position;   // undisplaced, from the eye [m]
+  float depth;     // from there to the farthest, which may lie on another wave [m]
 };
 
-Water nearestWater(uvec2 first) {
-  Water result = Water(-1.0, vec2(0));
-  ivec2 nearest = ivec2(first);
+Water waterOf(uvec2 first) {
+  float least = -1.0, most = -1.0;
+  ivec2 nearest = ivec2(first), farthest = ivec2(first);
   for (uint i = 0u; i < kTileSize * kTileSize; ++i) {
     uvec2 place = first + uvec2(i % kTileSize, i / kTileSize);
     place = min(place, uvec2(frame.width - 1u, frame.height - 1u));
     Pixel pixel = readPixel(ivec2(place));
-    float distance = pixel.water ? max(axialDistance(pixel.waterDepth), 0.0) : -1.0;
-    if (distance >= 0.0 && (result.distance < 0.0 || distance < result.distance)) {
-      result.distance = distance;
+    float axial = pixel.water ? max(axialDistance(pixel.waterDepth), 0.0) : -1.0;
+    if (axial >= 0.0 && (least < 0.0 || axial < least)) {
+      least = axial;
       nearest = ivec2(place);
     }
+    if (axial > most) {
+      most = axial;
+      farthest = ivec2(place);
+    }
   }
-  result.position = texelFetch(waterPosition, nearest, 0).xy;
-  return result;
+  vec2 position = texelFetch(waterPosition, nearest, 0).xy;
+  return Water(least, position, distance(position, texelFetch(waterPosition, farthest, 0).xy));
 }
 
 // How much a wave's face may lean toward the eye [rad].
@@ -44,15 +49,21 @@ float steepestView(uvec2 tile) {
   return min(result + kSteepFace, 1.0);
 }
 
-// Cascades with any foam near the tile's water. A mip's texel is 0 only where all under it are, and the level is coarse
-// enough for four of its texels to cover the tile.
+// Cascades with any foam near a tile's water. A mip's texel is 0 only where all under it are, and the level is
+// so coarse that half a texel, which is what a lookup reaches to at least, holds the tile and what its pixels blend into it:
+// a texel of their own mips. Where foam may be strewn, the level is the whole patch.
 uint foamingCascades(Water water, float view) {
-  float side = 2.0 * float(kTileSize) * water.distance * frame.waterAlbedo.w / clamp(view - kSteepFace, 0.02, 1.0);
+  float across = water.distance * frame.waterAlbedo.w;
+  float side = across / clamp(view - kSteepFace, 0.02, 1.0);
   uint mask = 0u;
   vec2 q = water.position + waveWarp(frame.waves.warp, water.position);
   for (uint c = 0u; c < frame.waves.cascades; ++c) {
     vec4 placement = frame.waves.placement[c];
-    float lod = min(ceil(waveLod(placement, float(frame.waves.size), side)), frame.waves.maxLod);
+    float texel = placement.w / float(frame.waves.size);
+    float reach = 2.0 * max(float(kTileSize) * side, water.depth) + 4.0 * max(max(side, kFoamGrain), texel);
+    bool strewn = 2.0 * across * placement.x * kStrewnFootprint > 1.0;
+    float lod = strewn ? frame.waves.maxLod
+                       : min(ceil(waveLod(placement, float(frame.waves.size), reach)), frame.waves.maxLod);
     float foam = textureLod(foamMap, vec3(waveUv(placement, q), float(c)), lod).r;
     mask |= foam > 0.0 ? 1u << c : 0u;
   }
@@ -62,7 +73,7 @@ uint foamingCascades(Water water, float view) {
 void main() {
   uvec2 tile = gl_GlobalInvocationID.xy;
   if (tile.x * kTileSize >= frame.width || tile.y * kTileSize >= frame.height) return;
-  Water water = nearestWater(tile * kTileSize);
+  Water water = waterOf(tile * kTileSize);
   float view = steepestView(tile);
   uint foaming = water.distance >= 0.0 ? foamingCascades(water, view) : 0u;
   uint list = water.distance < 0.0 ? kSkyTiles : foaming == 0u ? kWaterTiles : kFoamTiles;

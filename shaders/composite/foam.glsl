@@ -1,24 +1,7 @@
 // Foam: a dense core where a crest breaks, torn to lace and drawn out along the wind as it ages.
 #ifndef PELAGIC_COMPOSITE_FOAM_GLSL
 #define PELAGIC_COMPOSITE_FOAM_GLSL
-
-// 0 ... 1 from a lattice point: Jarzynski & Olano (2020), pcg.
-float latticeValue(uvec2 p) {
-  uint state = (p.x * 1664525u + p.y * 22695477u + 1013904223u) * 747796405u + 2891336453u;
-  uint word = (state >> ((state >> 28) + 4u) ^ state) * 277803737u;
-  return float(word >> 8) * (1.0 / 16777216.0);
-}
-
-// Smooth noise, 0 ... 1, mean 1/2, that repeats after `cells` (powers of two) lattice cells.
-float latticeNoise(vec2 p, uvec2 cells) {
-  vec2 base = floor(p);
-  vec2 f = p - base;
-  f = f * f * (3.0 - 2.0 * f);
-  uvec2 i = uvec2(ivec2(base)) & (cells - 1u);
-  uvec2 j = (i + 1u) & (cells - 1u);
-  return mix(mix(latticeValue(i), latticeValue(uvec2(j.x, i.y)), f.x),
-             mix(latticeValue(uvec2(i.x, j.y)), latticeValue(j), f.x), f.y);
-}
+#include "composite/noise.glsl"
 
 // The foam's texture: a field of ridges that close into cells, so that what stands above a high level is lace.
 struct FoamPattern {

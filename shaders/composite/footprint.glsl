@@ -15,6 +15,13 @@ float footprintSide(float across, float slant) {
 // leaves nothing of it but its variance.
 const float kLongestWave = 1.0 / 16.0;
 
+// Foam of the shorter waves is spread over this length [m]: it drifts and joins, where the maps hold the spots in which it
+// was born.
+const float kFoamGrain = 2.0;
+
+// Pixels wider than this part of a patch see its foam strewn, from twice that on altogether.
+const float kStrewnFootprint = 700.0;
+
 // Cascades, counted from the longest, of which something is left at the footprint.
 uint cascadesToSample(float footprint) {
   uint count = 0u;

@@ -2,6 +2,7 @@
 #ifndef PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #define PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #include "composite/footprint.glsl"
+#include "composite/noise.glsl"
 #include "pelagic/shader/wave_lookup.glsl"
 #include "pelagic/shader/wave_gain.glsl"
 
@@ -20,14 +21,25 @@ struct SeaPoint {
   float foam;        // mean freshness of the foam, 0 ... 1
 };
 
-// Foam of the shorter waves is spread over this length [m]: it drifts and joins, where the maps hold the spots in which it
-// was born.
-const float kFoamGrain = 2.0;
+// Freshness of a cascade's foam at a place in its patch. Far off, where a patch is seen many times over and the eye does not
+// find the crest that broke, every patch has its foam elsewhere: few spots laid out alike would show what the warp hides.
+float foamFreshness(uint cascade, vec2 uv, float side, float across) {
+  vec4 placement = frame.waves.placement[cascade];
+  float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
+  float fresh = textureLod(foamMap, vec3(uv, float(cascade)), lod).r;
+  float far = clamp(across * placement.x * kStrewnFootprint - 1.0, 0.0, 1.0);
+  if (far > 0.0) {
+    uvec2 patches = uvec2(ivec2(floor(uv)) + ivec2(frame.patches[cascade].xy)) & (kPatchesApart - 1u);
+    vec2 strewn = vec2(latticeValue(patches), latticeValue(patches + kPatchesApart));
+    fresh = mix(fresh, textureLod(foamMap, vec3(uv + strewn, float(cascade)), lod).r, far);
+  }
+  return fresh;
+}
 
-// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` [m]. The first `cascades`, at least one, are
+// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` of pixels `across` wide [m]. The first `cascades`, at least one, are
 // sampled, of the others the variance counts; foam only from the cascades in the bit mask `foaming`, which is not 0 where kFoaming.
 // Loops test at their end: software devices run a body that a loop's head has masked out.
-SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
+SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
   float foamFree = 1.0;
@@ -53,9 +65,7 @@ SeaPoint seaPoint(vec2 p, float side, uint cascades, uint foaming) {
   if (kFoaming) {
     do {
       uint foamy = uint(findLSB(foaming));
-      vec4 placement = frame.waves.placement[foamy];
-      float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
-      float fresh = textureLod(foamMap, vec3(waveUv(placement, q), float(foamy)), lod).r;
+      float fresh = foamFreshness(foamy, waveUv(frame.waves.placement[foamy], q), side, across);
       foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);

@@ -55,7 +55,7 @@ void main() {
     float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
     float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
     float side = footprintSide(across, across / max(along, across));
-    SeaPoint sea = seaPoint(p, side, tile.cascades, tile.foaming);
+    SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
     radiance = seaRadiance(sea, v, l, beyond);
     normal.xyz = sea.normal;
     if (kFoaming) {
