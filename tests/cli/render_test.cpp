@@ -38,7 +38,7 @@ TEST_F(RenderTest, ExposureIsInStops) {
 }
 
 TEST_F(RenderTest, ChannelsHaveTheContractsTypes) {
-  const cli::Image image = render("");
+  const cli::Image image = render(" --camera 0,3,0 --look-at 100,-8,0");
   EXPECT_EQ(image.types, (std::map<std::string, std::string>{{"R", "half"},
                                                              {"G", "half"},
                                                              {"B", "half"},
