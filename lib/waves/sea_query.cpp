@@ -22,7 +22,8 @@ struct Local {
   Float4 alongZ{};
 };
 
-void addLocal(const CpuLattice& lattice, const Gain& gain, const glm::dvec2& point, Local& local) noexcept {
+/// `gain`: of the cascade there; null: 1 everywhere.
+void addLocal(const CpuLattice& lattice, const Gain* gain, const glm::dvec2& point, Local& local) noexcept {
   const LatticePlace place = lattice.placeOf(point);
   const auto texel = [&](int i) { return float4Of(lattice.texels().displacement[place.corners[i]]); };
   const Float4 nearLow = texel(0);
@@ -32,10 +33,17 @@ void addLocal(const CpuLattice& lattice, const Gain& gain, const glm::dvec2& poi
   const Float4 low = nearLow + nearRow * place.x;
   const Float4 rise = farLow + farRow * place.x - low;
   const Float4 value = low + rise * place.z;
-  const float perMetre = gain.value * static_cast<float>(lattice.density());
-  local.value += gain.value * value;
-  local.alongX += perMetre * (nearRow + (farRow - nearRow) * place.z) + gain.alongX * value;
-  local.alongZ += perMetre * rise + gain.alongZ * value;
+  const Float4 alongX = nearRow + (farRow - nearRow) * place.z;
+  const auto perMetre = static_cast<float>(lattice.density());
+  if (gain == nullptr) {
+    local.value += value;
+    local.alongX += perMetre * alongX;
+    local.alongZ += perMetre * rise;
+  } else {
+    local.value += gain->value * value;
+    local.alongX += gain->value * perMetre * alongX + gain->alongX * value;
+    local.alongZ += gain->value * perMetre * rise + gain->alongZ * value;
+  }
 }
 
 /// The water that is displaced to a place: its rest relative to the place [m], and its height [m].
@@ -109,7 +117,14 @@ Found SeaQuery::Impl::find(const glm::dvec2& point, const LocalWarp& there) cons
     Local local;
     const glm::dvec2 rest = point + glm::dvec2(found.offset);
     const glm::dvec2 place = rest + glm::dvec2(there.shiftAt(found.offset));
-    for (std::uint32_t c = 0; c < lattices.size(); ++c) addLocal(lattices[c], gainOf(c, rest), place, local);
+    if (info.gain.width == 0) {
+      for (const CpuLattice& lattice : lattices) addLocal(lattice, nullptr, place, local);
+    } else {
+      for (std::uint32_t c = 0; c < lattices.size(); ++c) {
+        const Gain gain = gainAt(info.gain, c, rest);
+        addLocal(lattices[c], &gain, place, local);
+      }
+    }
     const glm::vec2 miss = found.offset + glm::vec2(local.value[0], local.value[2]);
     const Float4& x = local.alongX;
     const Float4& z = local.alongZ;
