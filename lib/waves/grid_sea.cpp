@@ -130,7 +130,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   std::array<JacobianSpread, kMaxCascades> spreads{};
   glm::dvec3 slopes(0);
   ModeEnergies energies;
-  const GridTrochoids trochoids = trochoidsOnGrid(sea, layout);
+  const GridTrochoids trochoids = trochoidsOnGrid(sea, layout, info.warp);
   for (std::uint32_t c = 0; c < layout.count; ++c) {
     const CascadeModes modes = makeModes(sea, layout, c, info.loopPeriod, trochoids);
     const CascadeMoments moments = momentsOf(modes, layout.cascades[c], layout.size);

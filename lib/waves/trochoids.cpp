@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <waves/trochoids.hpp>
+#include <waves/warp.hpp>
 
 namespace pelagic {
 namespace {
@@ -166,7 +167,7 @@ Result<void> validate(const SeaState& sea, const WaveLayout& layout) {
   return {};
 }
 
-GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout) {
+GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout, double warp) {
   GridTrochoids grid;
   std::vector<Trochoid> waves = sea.trochoids;
   if (sea.trochoidPick.count > 0) pick(sea, layout, waves, grid);
@@ -180,7 +181,8 @@ GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout) {
     const Trochoid& placed = found->wave;
     steepest += placed.steepness * waveNumber(placed) * placed.amplitude;
   }
-  // No loops while the sum of Q k A is at most 1 (Finch 2004, GPU Gems 1).
+  // No loops while the sum of Q k A is at most 1 (Finch 2004, GPU Gems 1), with the k where the warp is tightest.
+  steepest *= 1 + kLargestStretch * warp;
   if (steepest > 1) grid.steepnessScale = 1 / steepest;
   for (GridTrochoid& placed : grid.waves) placed.wave.steepness *= grid.steepnessScale;
   return grid;

@@ -22,7 +22,8 @@ struct GridTrochoids {
   double cut = 0;
   double kept = 1;
 };
-/// Of a sea that validate() has found good: those given one by one, then those picked from its spectrum.
-GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout);
+/// Of a sea that validate() has found good: those given one by one, then those picked from its spectrum. `warp`: as
+/// WavesInfo::warp, which makes waves shorter here and there.
+GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout, double warp = 0);
 
 }  // namespace pelagic

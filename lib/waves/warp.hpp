@@ -16,6 +16,10 @@ struct LocalWarp {
   glm::vec2 shiftAt(const glm::vec2& offset) const noexcept { return shift + slopes * offset; }
 };
 
+/// The largest stretch that the warp's gradient does, in standard deviations of its components: none of 3e6 places had
+/// more than 4.13.
+inline constexpr double kLargestStretch = 4.5;
+
 /// `gradient`: as WavesInfo::warp.
 class Warp {
  public:

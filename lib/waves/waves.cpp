@@ -189,7 +189,8 @@ SeaReport Waves::report() const noexcept { return impl_->latest().after.report; 
 
 std::vector<Trochoid> Waves::trochoids() const {
   std::vector<Trochoid> waves;
-  for (const GridTrochoid& placed : trochoidsOnGrid(impl_->latest().after.sea, impl_->info.layout).waves) {
+  for (const GridTrochoid& placed :
+       trochoidsOnGrid(impl_->latest().after.sea, impl_->info.layout, impl_->info.warp).waves) {
     waves.push_back(placed.wave);
   }
   return waves;

@@ -126,16 +126,22 @@ TEST(Trochoids, NeverLoop) {
   EXPECT_NEAR(steepest, 1, 1e-12);
   EXPECT_LT(grid.steepnessScale, 0.1);
   EXPECT_EQ(makeGridSea(sea, info).report.steepnessScale, grid.steepnessScale);
-  auto query = *SeaQuery::create(info);
-  for (double time = 0; time < 30; time += 1.3) {
-    query.setTime(time);
-    for (int i = 0; i < 400; ++i) {
-      EXPECT_GE(query.at({1.7 * i, 0.6 * i}).normal.y, 0) << "the surface has folded over";
+  for (const double warp : {0.0, 0.1}) {
+    WavesInfo warped = info;
+    warped.warp = warp;
+    auto query = *SeaQuery::create(warped);
+    for (double time = 0; time < 30; time += 1.3) {
+      query.setTime(time);
+      for (int i = 0; i < 400; ++i) {
+        EXPECT_GE(query.at({1.7 * i, 0.6 * i}).normal.y, 0) << "the surface has folded over";
+      }
     }
   }
   sea.trochoids.resize(1);
-  sea.trochoids[0].steepness = 1;
+  sea.trochoids[0].steepness = 1 / (sea.trochoids[0].amplitude * kTwoPi / sea.trochoids[0].wavelength) - 0.1;
   EXPECT_EQ(trochoidsOnGrid(sea, info.layout).steepnessScale, 1);
+  // Where the warp makes the wave shorter it must not loop either.
+  EXPECT_NEAR(trochoidsOnGrid(sea, info.layout, 0.1).steepnessScale, 1 / 1.45, 0.03);
 }
 
 TEST(Trochoids, LieOnTheNearestFreeModes) {
