@@ -8,7 +8,7 @@
 // longer one: what it leaves unresolved across is variance, what it misses along shows as slope, so that no variance is lost.
 float footprintSide(float across, float slant) {
   float root = inversesqrt(max(slant, 1e-4));
-  return across * clamp(root * sqrt(root), 1.0, 24.0);
+  return across * clamp(root * sqrt(root) * sqrt(sqrt(root)), 1.0, 48.0);
 }
 
 // A cascade holds no wave longer than 1/16 of its patch (pelagic::waveLayout), so that a footprint of that length [m]
