@@ -19,7 +19,7 @@ struct SurfacePoint {
 
 /// Evaluates a sea on the CPU at any time, past or future, independent of any Device, camera or frame: the same modes
 /// on the same lattice as the wave maps, linear between their texels, so that it agrees with 32-bit maps within 1e-4
-/// Hs. Move-only. setTime() is for one thread; at(), heightAt() and intersect() may be called by many at a time.
+/// Hs. Move-only. setTime() is for one thread; the others that are const may be called by many at a time.
 class SeaQuery {
  public:
   /// `info`: as given to Waves; precision and framesInFlight are not used. Waves shorter than `shortestWavelength` [m],
@@ -42,7 +42,8 @@ class SeaQuery {
   SurfacePoint at(const glm::dvec2& point) const noexcept;
   /// Height alone [m], which is cheaper.
   double heightAt(const glm::dvec2& point) const noexcept;
-  /// Heights [m] of many points, sooner than one by one: as many as both hold.
+  /// Heights [m] of many points, sooner than one by one: as many as both hold, what is left of `heights` stays. NaN
+  /// where a point is out of range.
   void heightsAt(std::span<const glm::dvec2> points, std::span<double> heights) const noexcept;
   /// First point where a ray meets the surface, from above or below, within `reach` [m] of its origin. `direction` need
   /// not be of unit length. None also when it is 0 or anything is not finite.

@@ -50,7 +50,7 @@ struct Trochoid {
   double amplitude = 0.5;  ///< A [m], half of its height; 1e-6 … 20.
   double wavelength = 50;  ///< [m], more than the shortest wave of the layout, at most its longest patch.
   double direction = 0;    ///< Travels toward, from +x turning to +z [rad], finite.
-  double steepness = 1;    ///< Q [1], 0 … 100; 1: circles, as in deep water; 1/(k A): cusps.
+  double steepness = 1;    ///< Q [1], 0 … 100; 1: circles, as in deep water; 1/(k A) would be cusps.
   double phase = 0;        ///< At the origin at time 0 [rad], finite; 0: a crest.
 };
 
@@ -60,7 +60,7 @@ struct Trochoid {
 struct TrochoidPick {
   std::uint32_t count = 0;  ///< 0 … 256; 0: none.
   double roughness = 0;     ///< Share of that energy that stays in random waves [1], 0 … 1.
-  double steepness = 0.8;   ///< Sum of Q k A of those picked [1], 0 … 1: 0 are round waves, 1 the sharpest.
+  double steepness = 0.8;   ///< Sum of Q k A of those picked [1], 0 … 1: 0 are round waves; held as all trochoids'.
 };
 
 /// A measured frequency spectrum, as buoys and wave models publish it; linear between its entries. Below the lowest
@@ -95,8 +95,8 @@ struct SeaState {
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
   std::vector<Swell> swell;
   /// Single waves, at most 256. Each takes the place of the random waves of its mode. The sum of Q k A of all trochoids
-  /// is held at 1 at most, where crests would begin to loop: SeaReport::steepnessScale. `choppiness` does not act on
-  /// them.
+  /// is held at 1 / (1 + 4.6 WavesInfo::warp) at most, so that no crest loops where the warp shortens waves most:
+  /// SeaReport::steepnessScale. `choppiness` does not act on them.
   std::vector<Trochoid> trochoids;
   TrochoidPick trochoidPick;
   std::uint64_t seed = 1;  ///< Any; the same seed gives the same sea on every machine.

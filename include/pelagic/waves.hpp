@@ -53,16 +53,18 @@ struct WavesInfo {
   /// How far the patches are warped, so that nothing is seen to repeat: the standard deviation of each component of
   /// the warp's gradient, 0 … 0.1 [1]. Wavelengths and directions vary by as much from place to place, over 3 to 12
   /// lengths of the longest patch, at unchanged frequencies: what a buoy measures stays exact, slope variances grow by
-  /// the factor 1 + 2 warp^2. The default leaves a correlation of less than 0.05 with any other place; 0: the patches
-  /// are laid side by side.
+  /// the factor 1 + 2 warp^2. About the origin of the world waves are as without. The default leaves a wind sea
+  /// a correlation of less than 0.05 at all lags from 5 peak waves to 2 km; 0: the patches are laid side by side.
   double warp = 0.05;
   /// Empty: the sea is the same everywhere, and shaders do not look. Width and height are fixed from here on.
   GainMap gain;
 };
 
 /// The maps of the sea at one time: 2-D arrays, layer = cascade, row = z, column = x, repeating; texel (i,j)'s centre,
-/// at texture coordinate ((j+0.5)/N, (i+0.5)/N), is the point x = j L/N, z = i L/N. All have a full mip chain of box
-/// filters. Sum over cascades. Derivatives are taken over the undisplaced plane: P = (x+Dx, h, z+Dz).
+/// at texture coordinate ((j+0.5)/N, (i+0.5)/N), is the point x = j L/N, z = i L/N of the patch. All have a full mip
+/// chain of box filters. Sum over cascades. Derivatives are taken over the patch. A point p = (x, z) of the undisplaced
+/// plane finds its water at q = p + w(p), waveWarp() in shader/wave_lookup.glsl: P = (x + Dx(q), h(q), z + Dz(q)),
+/// whose derivatives over p are those over q times 1 + dw/dp, waveWarpSlopes().
 struct WaveMaps {
   MapView displacement;  ///< RGBA: Dx, h, Dz [m], Jacobian of this cascade alone (1 + dDx/dx)(1 + dDz/dz) - (dDz/dx)^2.
   MapView gradient;      ///< RGBA: dh/dx, dh/dz, dDx/dx, dDz/dz [1].
@@ -104,8 +106,8 @@ inline constexpr double kFoamLifetime = 8;
 
 /// How many peak wavelengths of the longest train the longest patch must hold at least.
 inline constexpr double kLeastWavelengths = 8;
-/// How many waveLayout() puts there: the more, the less warp hides that the patch repeats, but the sooner the shortest
-/// waves are left to the unresolved variance.
+/// How many waveLayout() puts there: the more, the less warp is needed to hide that the patch repeats, but the more of
+/// the shortest waves are left to the unresolved variance.
 inline constexpr double kPatchWavelengths = 11.5;
 
 /// What the sea asked for has become on the grid.

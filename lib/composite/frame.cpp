@@ -51,11 +51,6 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
-  for (std::uint32_t c = 0; c < waves.layout.count; ++c) {
-    const glm::dvec2 patch = glm::floor(eye / waves.layout.cascades[c].length);
-    constexpr double kApart = shader::kPatchesApart;
-    frame.patches[c] = glm::vec4(glm::dvec4(patch - kApart * glm::floor(patch / kApart), 0, 0));
-  }
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

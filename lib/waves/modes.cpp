@@ -52,7 +52,7 @@ int modeOf(std::uint32_t i, std::uint32_t size) noexcept {
 }
 
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod) {
-  return makeModes(sea, layout, cascade, loopPeriod, trochoidsOnGrid(sea, layout));
+  return makeModes(sea, layout, cascade, loopPeriod, trochoidsOnGrid(sea, layout, 0));
 }
 
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod,

@@ -181,10 +181,11 @@ void PointQuery::Impl::start(Call& call, std::size_t item, std::size_t count, co
   call.origins.push_back(place);
   call.exists.push_back(exists);
   const WaveLayout& layout = waves->info.layout;
+  const glm::dvec2 from = warp->patchPlace(place);
   auto* turns = static_cast<Turns*>(call.starts.mapped()) + item;
   for (std::uint32_t c = 0; c < layout.count; ++c, turns += count) {
     const double length = layout.cascades[c].length;
-    *turns = exists ? Turns(turnsOf(place.x, length), turnsOf(place.y, length)) : Turns(0);
+    *turns = exists ? Turns(turnsOf(from.x, length), turnsOf(from.y, length)) : Turns(0);
   }
   *turns = exists ? glm::floatBitsToUint(glm::vec2((place - waves->gain.origin) / waves->gain.spacing)) : Turns(0);
   const shader::WaveWarp there = warp->relativeTo(exists ? place : glm::dvec2(0));

@@ -70,9 +70,6 @@ struct SeaQuery::Impl {
   Impl(const WavesInfo& wanted, double shortestWavelength);
   void build(SeaChange change);
   void evolve() noexcept;
-  Gain gainOf(std::uint32_t cascade, const glm::dvec2& point) const noexcept {
-    return info.gain.width == 0 ? Gain{} : gainAt(info.gain, cascade, point);
-  }
   /// `there`: the warp at `point`.
   Found find(const glm::dvec2& point, const LocalWarp& there) const noexcept;
   SurfacePoint surfaceAt(const glm::dvec2& point) const noexcept;
@@ -154,7 +151,7 @@ SurfacePoint SeaQuery::Impl::surfaceAt(const glm::dvec2& point) const noexcept {
   for (std::uint32_t c = 0; c < lattices.size(); ++c) {
     const LatticePlace on = lattices[c].placeOf(place);
     const LatticeTexels& texels = lattices[c].texels();
-    const Gain gain = gainOf(c, p);
+    const Gain gain = gainAt(info.gain, c, p);
     const glm::vec4 d = on.value(texels.displacement);
     const glm::vec4 g = on.value(texels.gradient);
     patch += glm::dmat2x3(gain.value * glm::mat2x3(g.z, g.x, d.w, d.w, g.y, g.w));

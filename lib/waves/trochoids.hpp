@@ -24,6 +24,6 @@ struct GridTrochoids {
 };
 /// Of a sea that validate() has found good: those given one by one, then those picked from its spectrum. `warp`: as
 /// WavesInfo::warp, which makes waves shorter here and there.
-GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout, double warp = 0);
+GridTrochoids trochoidsOnGrid(const SeaState& sea, const WaveLayout& layout, double warp);
 
 }  // namespace pelagic

@@ -9,11 +9,12 @@ namespace {
 struct Wave {
   double angle;       ///< Of the wave [degrees].
   double wavelength;  ///< In lengths of the longest patch.
+  double phase;       ///< At the origin [turns]: a quarter either way, where the wave turns and has no slope.
 };
 /// Spread over all directions and two octaves, none a multiple of another; found by trying 300 such sets for the least
 /// correlation that is left between places a patch apart.
-constexpr Wave kTable[] = {{14, 3.21},  {23, 6.12},  {50, 4.09},  {74, 7.42},
-                           {91, 11.47}, {128, 9.53}, {137, 4.63}, {165, 5.73}};
+constexpr Wave kTable[] = {{14, 3.21, 0.25},   {23, 6.12, 0.25},  {50, 4.09, -0.25}, {74, 7.42, -0.25},
+                           {91, 11.47, -0.25}, {128, 9.53, 0.25}, {137, 4.63, 0.25}, {165, 5.73, -0.25}};
 
 }  // namespace
 
@@ -23,8 +24,9 @@ Warp::Warp(const WaveLayout& layout, double gradient) noexcept {
     const double length = kTable[i].wavelength * layout.cascades[0].length;
     alongX_[i] = std::cos(angle) / length;
     alongZ_[i] = std::sin(angle) / length;
-    // It moves at 45 degrees to where it goes, to either side in turn: stretch and shear alike in all directions. The
-    // derivative of 8 t (1 - 2 |t|) has the mean square 64/3, so a component of the sum's has 8/4 (a/length)^2 64/3.
+    // It displaces at 45 degrees to its direction, to either side in turn: stretch and shear alike in all directions.
+    // The derivative of 8 t (1 - 2 |t|) has the mean square 64/3, so a component of the sum's has 8/4 (a/length)^2
+    // 64/3.
     const double amplitude = gradient * length * std::sqrt(3.0 / 128);
     const double aside = angle + (i % 2 == 0 ? -0.25 : 0.25) * std::numbers::pi;
     const std::size_t group = i / 4;
@@ -33,6 +35,8 @@ Warp::Warp(const WaveLayout& layout, double gradient) noexcept {
     still_.alongZ[group][lane] = static_cast<float>(alongZ_[i]);
     still_.shiftX[group][lane] = static_cast<float>(amplitude * std::cos(aside));
     still_.shiftZ[group][lane] = static_cast<float>(amplitude * std::sin(aside));
+    const double atOrigin = kTable[i].phase > 0 ? 1 : -1;  // 8 t (1 - 2 |t|) of a quarter
+    origin_ += atOrigin * amplitude * glm::dvec2(std::cos(aside), std::sin(aside));
   }
 }
 
@@ -41,7 +45,7 @@ Warp::Turns Warp::turnsAt(const glm::dvec2& place) const noexcept {
   constexpr double kRounder = 0x1.8p52;
   Turns turns;
   for (std::size_t i = 0; i < kWaves; ++i) {
-    const double all = alongX_[i] * place.x + alongZ_[i] * place.y;
+    const double all = alongX_[i] * place.x + alongZ_[i] * place.y + kTable[i].phase;
     turns.of[i] = static_cast<float>(all - ((all + kRounder) - kRounder));
   }
   return turns;
@@ -72,7 +76,7 @@ LocalWarp Warp::at(const glm::dvec2& place) const noexcept {
     zx += byZ * x;
     zz += byZ * z;
   }
-  return {{sumOf(shiftX), sumOf(shiftZ)}, {sumOf(xx), sumOf(xz), sumOf(zx), sumOf(zz)}};
+  return {glm::vec2(sumOf(shiftX), sumOf(shiftZ)) - glm::vec2(origin_), {sumOf(xx), sumOf(xz), sumOf(zx), sumOf(zz)}};
 }
 
 }  // namespace pelagic

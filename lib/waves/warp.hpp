@@ -8,7 +8,8 @@
 
 namespace pelagic {
 
-/// The warp close to a place, where it is as good as linear: within 1e-4 Hs of the height that it gives.
+/// The warp close to a place, where it is as good as linear: at the defaults within 1e-4 Hs of the height that it
+/// gives.
 struct LocalWarp {
   glm::vec2 shift{0};   ///< At the place [m].
   glm::mat2 slopes{0};  ///< Columns: along x, along z [1].
@@ -16,16 +17,17 @@ struct LocalWarp {
   glm::vec2 shiftAt(const glm::vec2& offset) const noexcept { return shift + slopes * offset; }
 };
 
-/// The largest stretch that the warp's gradient does, in standard deviations of its components: none of 3e6 places had
-/// more than 4.13.
-inline constexpr double kLargestStretch = 4.5;
+/// The largest stretch that the warp's gradient can do, in standard deviations of its components: all eight waves at
+/// their steepest, 8 sqrt(3/128) max over directions u and v of the sum of |d_i u| |q_i v|.
+inline constexpr double kLargestStretch = 4.6;
 
-/// `gradient`: as WavesInfo::warp.
+/// `gradient`: as WavesInfo::warp. It leaves the origin of the world where it is, and the waves about it as they are.
 class Warp {
  public:
   Warp(const WaveLayout& layout, double gradient) noexcept;
-  /// For shaders whose points are relative to `origin` [m].
+  /// For shaders whose points are relative to `origin` [m]; they look up from patchPlace(origin) on.
   shader::WaveWarp relativeTo(const glm::dvec2& origin) const noexcept;
+  glm::dvec2 patchPlace(const glm::dvec2& place) const noexcept { return place - origin_; }
   /// As waveWarp() and waveWarpSlopes() in shader/wave_lookup.glsl.
   LocalWarp at(const glm::dvec2& place) const noexcept;
 
@@ -41,6 +43,7 @@ class Warp {
   std::array<double, kWaves> alongX_{};
   std::array<double, kWaves> alongZ_{};
   shader::WaveWarp still_{};  ///< Without phases.
+  glm::dvec2 origin_{0};      ///< What the waves shift the origin by [m].
 };
 
 }  // namespace pelagic

@@ -6,13 +6,17 @@ namespace pelagic {
 
 shader::WaveSampling waveSampling(const WaveMaps& maps, const glm::dvec2& origin) noexcept {
   shader::WaveSampling sampling{};
-  sampling.warp = Warp(maps.layout, maps.warp).relativeTo(origin);
+  const Warp warp(maps.layout, maps.warp);
+  sampling.warp = warp.relativeTo(origin);
   const double halfTexel = 0.5 / maps.layout.size;
   for (std::uint32_t c = 0; c < maps.layout.count; ++c) {
     const double length = maps.layout.cascades[c].length;
-    const glm::dvec2 turns = origin / length;
-    const glm::dvec2 offset = turns - glm::floor(turns) + halfTexel;
+    const glm::dvec2 turns = warp.patchPlace(origin) / length;
+    const glm::dvec2 patch = glm::floor(turns);
+    const glm::dvec2 offset = turns - patch + halfTexel;
     sampling.placement[c] = glm::vec4(glm::dvec4(1 / length, offset.x, offset.y, length));
+    constexpr double kApart = shader::kPatchesApart;
+    sampling.patches[c] = glm::vec4(glm::dvec4(patch - kApart * glm::floor(patch / kApart), 0, 0));
     sampling.slopeCovariance[c] = glm::vec4(glm::vec3(maps.slopeCovariance[c]), 0);
   }
   // From wind axes to world axes.

@@ -12,7 +12,8 @@ layout(binding = 1, std430) writeonly buffer Tiles { uint tileWords[]; };
 struct Water {
   float distance;  // along the camera's axis [m], less than 0 without water
   vec2 position;   // undisplaced, from the eye [m]
-  float depth;     // from there to the farthest, which may lie on another wave [m]
+  float farthest;  // distance of the farthest, which may lie on another wave [m],
+  float depth;     // and how far the two are apart on the undisplaced sea [m]
 };
 
 Water waterOf(uvec2 first) {
@@ -33,7 +34,7 @@ Water waterOf(uvec2 first) {
     }
   }
   vec2 position = texelFetch(waterPosition, nearest, 0).xy;
-  return Water(least, position, distance(position, texelFetch(waterPosition, farthest, 0).xy));
+  return Water(least, position, most, distance(position, texelFetch(waterPosition, farthest, 0).xy));
 }
 
 // How much a wave's face may lean toward the eye [rad].
@@ -61,7 +62,7 @@ uint foamingCascades(Water water, float view) {
     vec4 placement = frame.waves.placement[c];
     float texel = placement.w / float(frame.waves.size);
     float reach = 2.0 * max(float(kTileSize) * side, water.depth) + 4.0 * max(max(side, kFoamGrain), texel);
-    bool strewn = 2.0 * across * placement.x * kStrewnFootprint > 1.0;
+    bool strewn = water.farthest * frame.waterAlbedo.w * placement.x * kStrewnFootprint > 1.0;
     float lod = strewn ? frame.waves.maxLod
                        : min(ceil(waveLod(placement, float(frame.waves.size), reach)), frame.waves.maxLod);
     float foam = textureLod(foamMap, vec3(waveUv(placement, q), float(c)), lod).r;

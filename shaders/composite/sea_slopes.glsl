@@ -29,7 +29,7 @@ float foamFreshness(uint cascade, vec2 uv, float side, float across) {
   float fresh = textureLod(foamMap, vec3(uv, float(cascade)), lod).r;
   float far = clamp(across * placement.x * kStrewnFootprint - 1.0, 0.0, 1.0);
   if (far > 0.0) {
-    uvec2 patches = uvec2(ivec2(floor(uv)) + ivec2(frame.patches[cascade].xy)) & (kPatchesApart - 1u);
+    uvec2 patches = uvec2(ivec2(floor(uv)) + ivec2(frame.waves.patches[cascade].xy)) & (kPatchesApart - 1u);
     vec2 strewn = vec2(latticeValue(patches), latticeValue(patches + kPatchesApart));
     fresh = mix(fresh, textureLod(foamMap, vec3(uv + strewn, float(cascade)), lod).r, far);
   }

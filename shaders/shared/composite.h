@@ -19,9 +19,6 @@ PELAGIC_SHADER_CONSTANT uint kTileListStart = 16u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
-// Patches are told apart this many patches far.
-PELAGIC_SHADER_CONSTANT uint kPatchesApart = 4096u;
-
 struct CompositeFrame {
   WaveSampling waves;
   // The point of a pixel with the clip-space w is w (ray + x rayX + y rayY), world axes, from the eye; (0,0) is the
@@ -33,7 +30,6 @@ struct CompositeFrame {
   vec4 thinCrest;    // transmittance of the thinnest and; w: how far old foam gathers in streaks, 0 ... 1
   vec4 thickCrest;   // of the thickest crest that light comes through
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
-  vec4 patches[8];   // xy: which of a cascade's patches the eye is in, modulo kPatchesApart
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   uint width;        // of the view [px]
   uint height;

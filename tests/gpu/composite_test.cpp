@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <pelagic/wave_sampling.hpp>
 
 #include "composite_support.hpp"
 #include "physics/optics.glsl"
@@ -43,6 +44,44 @@ TEST_F(CompositeTest, FlatSeaReflectsFresnelsShare) {
       }
     }
   }
+}
+
+/// The warp's shift at p, as waveWarp() in shader/wave_lookup.glsl.
+glm::dvec2 warpAt(const shader::WaveWarp& warp, const glm::dvec2& p) {
+  glm::dvec2 shift(0);
+  for (int i = 0; i < 8; ++i) {
+    const auto of = [&](const glm::vec4(&values)[2]) { return static_cast<double>(values[i / 4][i % 4]); };
+    double t = of(warp.phase) + of(warp.alongX) * p.x + of(warp.alongZ) * p.y;
+    t -= std::round(t);
+    shift += 8 * t * (1 - 2 * std::abs(t)) * glm::dvec2(of(warp.shiftX), of(warp.shiftZ));
+  }
+  return shift;
+}
+
+TEST_F(CompositeTest, SlopesFollowTheWarp) {
+  SyntheticScene scene(gpu(), {16, 16});
+  scene.camera.rotation = support::lookAlong(0, 0.9);
+  scene.camera.position = {2100, scene.camera.position.y, -3700};
+  scene.fillWater(20);
+  const glm::dvec2 p(150, -400);
+  for (glm::vec2& position : scene.position) position = glm::vec2(p);
+  scene.waves.warp = 0.1;
+  scene.gradient = {0.1f, -0.3f, 0.06f, -0.04f};
+  scene.moments[3] = 0.05f;
+  scene.render(device());
+  // The surface over p is (x + Dx, h, z + Dz) of q = p + w(p), with constant derivatives over q.
+  const glm::dmat2x3 overQ(0.06, 0.1, 0.05, 0.05, -0.3, -0.04);
+  const shader::WaveWarp warp = waveSampling(scene.waves, {2100, -3700}).warp;
+  constexpr double kStep = 0.5;
+  const auto along = [&](const glm::dvec2& axis) {
+    const glm::dvec2 q = axis + (warpAt(warp, p + kStep * axis) - warpAt(warp, p - kStep * axis)) / (2 * kStep);
+    EXPECT_GT(glm::length(q - axis), 0.03);
+    return glm::dvec3(axis.x, 0, axis.y) + overQ * q;
+  };
+  const glm::dvec3 n = glm::normalize(glm::cross(along({0, 1}), along({1, 0})));
+  EXPECT_NEAR(scene.normal[0], n.x, 1e-3);
+  EXPECT_NEAR(scene.normal[1], n.y, 1e-3);
+  EXPECT_NEAR(scene.normal[2], n.z, 1e-3);
 }
 
 TEST_F(CompositeTest, TiltedSeaTurnsTheReflection) {

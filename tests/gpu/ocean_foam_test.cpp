@@ -81,8 +81,8 @@ TEST_F(OceanFoamTest, OfAPatchIsNotSeenAgainInTheNext) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// Tiles of 8 x 8 pixels without foam are shaded apart. Foam fades out smoothly but where a crest hides it, which
-// happens as often within tiles as between them.
+// Tiles of 8 x 8 pixels without foam are shaded apart. Foam fades out smoothly but where a crest hides it, which seldom
+// shows along a row, and as often within tiles as between them.
 TEST_F(OceanFoamTest, DoesNotEndAtTheEdgesOfTiles) {
   OceanInfo info;
   info.waves.sea.windSpeed = 20;

@@ -71,6 +71,19 @@ TEST(Warp, IsOneToOne) {
   });
 }
 
+TEST(Warp, StandsStillAtTheOrigin) {
+  const Warp warp(defaultLayout(), 0.05);
+  const LocalWarp origin = warp.at({0, 0});
+  EXPECT_NEAR(glm::length(origin.shift), 0, 1e-4);
+  // Where a hull is and as far as it is seen from a deck, waves are as in the patch.
+  double worst = 0;
+  for (int i = 0; i < 64; ++i) {
+    const glm::mat2 slopes = warp.at({20 * std::cos(0.1 * i), 20 * std::sin(0.1 * i)}).slopes;
+    for (int j = 0; j < 4; ++j) worst = std::max(worst, std::abs(static_cast<double>(slopes[j / 2][j % 2])));
+  }
+  EXPECT_LT(worst, 0.01);
+}
+
 TEST(Warp, NoneLeavesPlacesWhereTheyAre) {
   const LocalWarp none = Warp(defaultLayout(), 0).at({123, -4567});
   EXPECT_EQ(none.shift, glm::vec2(0));

@@ -14,10 +14,15 @@ struct WaveWarp {
   vec4 shiftZ[2];  // and along z
 };
 
+// Patches are told apart this many patches far.
+PELAGIC_SHADER_CONSTANT uint kPatchesApart = 4096u;
+
 struct WaveSampling {
   WaveWarp warp;
   // Per cascade: x 1/L [1/m], yz texture coordinate of the origin (the texel offset included), w L [m].
   vec4 placement[8];
+  // xy the patch of each cascade that the origin lies in, modulo kPatchesApart along x and z.
+  vec4 patches[8];
   // Expected slope covariance of each cascade: x of dh/dx, y of dh/dz, z of both [1].
   vec4 slopeCovariance[8];
   // Slope covariance that no cascade resolves, as above; w standard deviation of the elevation [m].
