@@ -19,7 +19,8 @@ struct SurfacePoint {
 
 /// Evaluates a sea on the CPU at any time, past or future, independent of any Device, camera or frame: the same modes
 /// on the same lattice as the wave maps, linear between their texels, so that it agrees with 32-bit maps within 1e-4
-/// Hs. Move-only. setTime() is for one thread; the others that are const may be called by many at a time.
+/// Hs, and within 6e-4 Hs where warp and choppiness are largest. Move-only. setTime() is for one thread; the others
+/// that are const may be called by many at a time.
 class SeaQuery {
  public:
   /// `info`: as given to Waves; precision and framesInFlight are not used. Waves shorter than `shortestWavelength` [m],
