@@ -36,8 +36,9 @@ float foamFreshness(uint cascade, vec2 uv, float side, float across) {
   return fresh;
 }
 
-// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` of pixels `across` wide [m]. The first `cascades`, at least one, are
-// sampled, of the others the variance counts; foam only from the cascades in the bit mask `foaming`, which is not 0 where kFoaming.
+// `p`: undisplaced place relative to the eye [m], seen with the footprint `side` of pixels `across` wide [m]. The first
+// `cascades`, at least one, are sampled, of the others the variance counts; foam only from the cascades in the bit mask
+// `foaming`, which is not 0 where kFoaming.
 // Loops test at their end: software devices run a body that a loop's head has masked out.
 SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz

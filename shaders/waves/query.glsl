@@ -120,7 +120,8 @@ void addLocal(uint cascade, vec2 target, vec2 offset, vec2 shift, inout Local lo
   local.alongZ += gain.x * rise * texelsPerMetre + gain.z * value;
 }
 
-// The water that is displaced to a place, with the warp there, as good as linear so close by: its rest relative to the place [m], and its height [m].
+// The water that is displaced to a place, with the warp there, as good as linear so close by: its rest relative to the
+// place [m], and its height [m].
 struct Found {
   vec2 offset;
   float height;

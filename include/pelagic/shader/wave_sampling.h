@@ -19,7 +19,7 @@ PELAGIC_SHADER_CONSTANT uint kPatchesApart = 4096u;
 
 struct WaveSampling {
   WaveWarp warp;
-  // Per cascade: x 1/L [1/m], yz texture coordinate of the origin (the texel offset included), w L [m].
+  // Per cascade: x 1/L [1/m], yz texture coordinate of the origin (the texel and the warp's offset included), w L [m].
   vec4 placement[8];
   // xy the patch of each cascade that the origin lies in, modulo kPatchesApart along x and z.
   vec4 patches[8];
