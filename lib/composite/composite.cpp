@@ -9,6 +9,7 @@
 #include <map>
 
 #include "composite_classify_comp.spv.hpp"
+#include "composite_resolve_comp.spv.hpp"
 #include "composite_sky_comp.spv.hpp"
 #include "composite_water_comp.spv.hpp"
 
@@ -28,8 +29,14 @@ constexpr gpu::Binding kBindings[] = {
     {12, DescriptorType::eCombinedImageSampler}, {13, DescriptorType::eStorageImage},
     {14, DescriptorType::eStorageImage},         {15, DescriptorType::eStorageImage},
     {16, DescriptorType::eStorageImage},         {17, DescriptorType::eStorageBuffer},
-    {18, DescriptorType::eCombinedImageSampler},
+    {18, DescriptorType::eCombinedImageSampler}, {19, DescriptorType::eStorageImage},
+    {20, DescriptorType::eStorageBuffer},
 };
+
+/// As in shaders/composite/resolve.comp.
+constexpr gpu::Binding kResolveBindings[] = {{0, DescriptorType::eCombinedImageSampler},
+                                             {1, DescriptorType::eStorageBuffer},
+                                             {2, DescriptorType::eStorageImage}};
 
 constexpr gpu::BufferState kComputeReadWrite{
     vk::PipelineStageFlagBits2::eComputeShader,
@@ -58,6 +65,7 @@ struct Composite::Impl {
   gpu::Unique<vk::Sampler> clamp;
   gpu::Unique<vk::Sampler> nearest;
   gpu::Buffer fresnel;
+  gpu::ComputePass resolve;
   std::map<Variant, std::unique_ptr<Passes>> variants;
 
   /// The passes of a variant, compiled when its first view is created.
@@ -67,11 +75,16 @@ struct Composite::Impl {
 struct CompositeView::Impl {
   gpu::Context* context = nullptr;
   const Passes* passes = nullptr;
+  const gpu::ComputePass* resolve = nullptr;
   CompositeTargets targets;
   gpu::Buffer frame;
   gpu::Buffer tiles;
+  gpu::Image shaded;  ///< The output again, with its edges: shaders/composite/edges.glsl.
+  gpu::Buffer edges;
   gpu::DescriptorSet set;
+  gpu::DescriptorSet resolveSet;
 
+  Result<void> createEdges();
   void writeSet(const Composite::Impl& shared, const WaveMaps& waves, const SkyMaps& sky, const WaterBuffer& water);
   void recordInputs(vk::CommandBuffer commands, const shader::CompositeFrame& block) noexcept;
   void recordTargets(vk::CommandBuffer commands, bool before) noexcept;
@@ -110,6 +123,10 @@ Result<Composite> Composite::create(Device& device) {
                                            vk::BufferUsageFlagBits::eStorageBuffer, gpu::Buffer::Placement::upload));
   std::memcpy(fresnel.mapped(), table.data(), bytes);
   impl->fresnel = std::move(fresnel);
+  PELAGIC_TRY(resolve,
+              gpu::ComputePass::create(
+                  *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
+  impl->resolve = std::move(resolve);
   // The view that nearly every host has.
   PELAGIC_CHECK(impl->passes({}));
   return Composite(std::move(impl));
@@ -157,6 +174,27 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   set.storageImage(16, orOutput(targets.mergedDepth));
   set.buffer(17, shared.fresnel.handle());
   set.sampled(18, waves.gain.view ? waves.gain.view : waves.gradient.view, *shared.nearest);
+  set.storageImage(19, shaded.mipView(0));
+  set.buffer(20, edges.handle());
+  resolveSet.sampled(0, shaded.view(), *shared.nearest);
+  resolveSet.buffer(1, edges.handle());
+  resolveSet.storageImage(2, targets.output.view);
+}
+
+/// What the smoothing of edges reads: the picture once more, and the list of pixels.
+Result<void> CompositeView::Impl::createEdges() {
+  gpu::ImageInfo info;
+  info.format = vk::Format::eR16G16B16A16Sfloat;
+  info.extent = targets.output.extent;
+  info.usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled;
+  PELAGIC_TRY(image, gpu::Image::create(*context, Stage::composite, "composite shaded", info));
+  shaded = std::move(image);
+  using Usage = vk::BufferUsageFlagBits;
+  const vk::DeviceSize words = shader::kEdgeListStart + vk::DeviceSize{info.extent.width} * info.extent.height;
+  PELAGIC_TRY(list, gpu::Buffer::create(*context, Stage::composite, "composite edges", words * sizeof(std::uint32_t),
+                                        Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferDst));
+  edges = std::move(list);
+  return {};
 }
 
 Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
@@ -178,6 +216,7 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
                         waves.gain.view != VK_NULL_HANDLE};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
+  impl->resolve = &shared.resolve;
 
   using Usage = vk::BufferUsageFlagBits;
   PELAGIC_TRY(frame, gpu::Buffer::create(*impl->context, Stage::composite, "composite frame",
@@ -193,17 +232,30 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   impl->tiles = std::move(tiles);
   PELAGIC_TRY(set, impl->passes->water.createSet("composite view"));
   impl->set = std::move(set);
+  PELAGIC_TRY(resolveSet, shared.resolve.createSet("composite resolve"));
+  impl->resolveSet = std::move(resolveSet);
+  PELAGIC_CHECK(impl->createEdges());
   impl->writeSet(shared, waves, sky, water);
   return CompositeView(std::move(impl));
 }
 
 void CompositeView::Impl::recordInputs(vk::CommandBuffer commands, const shader::CompositeFrame& block) noexcept {
-  gpu::Barrier().buffer(frame, gpu::kTransferWrite).buffer(tiles, gpu::kTransferWrite).record(*context, commands);
+  gpu::Barrier()
+      .buffer(frame, gpu::kTransferWrite)
+      .buffer(tiles, gpu::kTransferWrite)
+      .buffer(edges, gpu::kTransferWrite)
+      .record(*context, commands);
   commands.updateBuffer(frame.handle(), 0, sizeof(block), &block, context->dispatch);
   // Per list an indirect dispatch of no groups, and no tiles.
   constexpr std::array<std::uint32_t, 4 * shader::kTileLists> kEmpty{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   commands.updateBuffer(tiles.handle(), 0, sizeof(kEmpty), kEmpty.data(), context->dispatch);
-  gpu::Barrier().buffer(frame, gpu::kComputeRead).buffer(tiles, kComputeReadWrite).record(*context, commands);
+  commands.updateBuffer(edges.handle(), 0, 4 * sizeof(std::uint32_t), kEmpty.data(), context->dispatch);
+  gpu::Barrier()
+      .buffer(frame, gpu::kComputeRead)
+      .buffer(tiles, kComputeReadWrite)
+      .buffer(edges, kComputeReadWrite)
+      .image(shaded, gpu::kComputeStorageWrite, true)
+      .record(*context, commands);
 }
 
 void CompositeView::Impl::recordTargets(vk::CommandBuffer commands, bool before) noexcept {
@@ -252,6 +304,15 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
   measured("composite water", [&] {
     shade(view.passes->water, shader::kWaterTiles);
     shade(view.passes->foam, shader::kFoamTiles);
+  });
+  measured("composite resolve", [&] {
+    gpu::Barrier barrier;
+    barrier.image(view.shaded, gpu::kComputeSampled).buffer(view.edges, kComputeReadIndirect);
+    barrier.image(view.targets.output.image, vk::ImageAspectFlagBits::eColor, gpu::kComputeStorageWrite,
+                  gpu::kComputeStorageWrite);
+    barrier.record(*view.context, commands);
+    view.resolve->bind(commands, view.resolveSet);
+    view.resolve->dispatchIndirect(commands, view.edges.handle(), 0);
   });
   view.recordTargets(commands, false);
 }

@@ -63,8 +63,4 @@ vec3 pixelRay(ivec2 place) {
   return frame.ray.xyz + float(place.x) * frame.rayX.xyz + float(place.y) * frame.rayY.xyz;
 }
 
-void writeRadiance(ivec2 place, vec3 radiance) {
-  imageStore(outputImage, place, vec4(clamp(radiance, vec3(0), vec3(kLargestRadiance)), 1));
-}
-
 #endif

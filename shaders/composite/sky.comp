@@ -2,6 +2,7 @@
 // Tiles without water: the sky, or the host's picture where it is nearer than the far plane.
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
+#include "composite/edges.glsl"
 #include "composite/sky_lookup.glsl"
 #include "composite/tiles.glsl"
 

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/constants.h"
 #include "composite/bindings.glsl"
+#include "composite/edges.glsl"
 #include "composite/sky_lookup.glsl"
 #include "composite/sea_slopes.glsl"
 #include "composite/tiles.glsl"

@@ -19,6 +19,15 @@ PELAGIC_SHADER_CONSTANT uint kTileListStart = 16u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
+// Bits of the shaded picture's alpha: the surface breaks off between a pixel and its neighbour.
+PELAGIC_SHADER_CONSTANT uint kEdgeLeft = 1u;
+PELAGIC_SHADER_CONSTANT uint kEdgeRight = 2u;
+PELAGIC_SHADER_CONSTANT uint kEdgeAbove = 4u;
+PELAGIC_SHADER_CONSTANT uint kEdgeBelow = 8u;
+// Pixels of a work-group that smooths edges, and words before their list: an indirect dispatch and their number.
+PELAGIC_SHADER_CONSTANT uint kEdgeGroup = 64u;
+PELAGIC_SHADER_CONSTANT uint kEdgeListStart = 4u;
+
 struct CompositeFrame {
   WaveSampling waves;
   // The point of a pixel with the clip-space w is w (ray + x rayX + y rayY), world axes, from the eye; (0,0) is the
