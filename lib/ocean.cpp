@@ -14,6 +14,7 @@ struct Ocean::Impl {
 
 struct OceanView::Impl {
   Ocean::Impl* ocean;
+  SkyView sky;
   SurfaceView surface;
   CompositeView composite;
 };
@@ -53,10 +54,11 @@ Result<void> Ocean::setMedium(const WaterMedium& medium) {
 
 Result<OceanView> Ocean::createView(const CompositeTargets& targets) {
   PELAGIC_TRY(surface, SurfaceView::create(impl_->surface, impl_->waves.maps(), targets.output.extent));
-  PELAGIC_TRY(composite, CompositeView::create(impl_->composite, impl_->waves.maps(), impl_->sky.maps(),
-                                               surface.buffer(), targets));
-  return OceanView(
-      std::make_unique<OceanView::Impl>(OceanView::Impl{impl_.get(), std::move(surface), std::move(composite)}));
+  PELAGIC_TRY(sky, SkyView::create(impl_->sky));
+  PELAGIC_TRY(composite,
+              CompositeView::create(impl_->composite, impl_->waves.maps(), sky.maps(), surface.buffer(), targets));
+  return OceanView(std::make_unique<OceanView::Impl>(
+      OceanView::Impl{impl_.get(), std::move(sky), std::move(surface), std::move(composite)}));
 }
 
 void Ocean::record(VkCommandBuffer commands, double time, Timings* timings) noexcept {
@@ -70,6 +72,7 @@ const Sky& Ocean::sky() const noexcept { return impl_->sky; }
 void OceanView::record(VkCommandBuffer commands, const Camera& camera, Timings* timings) noexcept {
   Ocean::Impl& ocean = *impl_->ocean;
   const WaveMaps maps = ocean.waves.maps();
+  impl_->sky.record(commands, camera.position.y, timings);
   impl_->surface.record(commands, maps, camera, timings);
   impl_->composite.record(commands, maps, camera, ocean.medium, timings);
 }

@@ -31,9 +31,12 @@ double twilightGain(double sunElevation) noexcept;
 
 /// The maps of the sky. All 2-D, one layer, linear filtering, rest in kShaderRead.
 struct SkyMaps {
-  /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps), v = 0.5 + 0.5 sign(e)
-  /// sqrt(|e|/(pi/2)) for elevation e, which spends texels on the horizon. Radiance of sky as seen from sea level,
-  /// without the sun's disc.
+  /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps). With the elevation e and that of the
+  /// eye's horizon e0 = -acos(R/(R + altitude)), v = 0.5 + 0.5 sqrt((e - e0)/(pi/2 - e0)) above it, which spends texels
+  /// on the horizon: radiance of the sky without the sun's disc. Sky::maps() has it for sea level, e0 = 0, and below
+  /// the horizon holds the radiance of the horizon. SkyView::maps() has it for an eye, and below, v = 0.5 - 0.5
+  /// sqrt((e0 - e)/(pi/2 + e0)), the air's own light: what stands there with the radiance L is seen as t L + (1 - t)
+  /// times the texel, t the transmittance of the air before it.
   MapView radiance;
   /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
   /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.
@@ -59,8 +62,30 @@ class Sky {
   SkyMaps maps() const noexcept;
 
  private:
+  friend class SkyView;
   struct Impl;
   explicit Sky(std::unique_ptr<Impl> impl) noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The sky from an eye above the sea, and the air between the eye and what it sees. Move-only; one thread at a time;
+/// must not outlive its Sky.
+class SkyView {
+ public:
+  static Result<SkyView> create(const Sky& sky);
+  SkyView(SkyView&&) noexcept;
+  SkyView& operator=(SkyView&&) noexcept;
+  ~SkyView();
+
+  /// After Sky::record(). `altitude` of the eye [m], to the metre, held at 0 to 99 km. Recomputes the map when the sky
+  /// or the altitude changed, else records nothing.
+  void record(VkCommandBuffer commands, double altitude, Timings* timings = nullptr) noexcept;
+  /// As the sky's, with the radiance that the eye sees.
+  SkyMaps maps() const noexcept;
+
+ private:
+  struct Impl;
+  explicit SkyView(std::unique_ptr<Impl> impl) noexcept;
   std::unique_ptr<Impl> impl_;
 };
 

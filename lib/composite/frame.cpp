@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <composite/frame.hpp>
 #include <pelagic/wave_sampling.hpp>
 
+#include "physics/atmosphere.glsl"
 #include "physics/optics.glsl"
 
 namespace pelagic {
@@ -43,7 +45,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
   frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), static_cast<float>(streaks));
-  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), 0);
+  const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
+  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), shader::horizonElevation(height));
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
   const glm::dvec2 wind(std::cos(waves.windDirection), std::sin(waves.windDirection));

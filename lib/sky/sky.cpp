@@ -1,11 +1,9 @@
 #include <cmath>
-#include <gpu/barrier.hpp>
-#include <gpu/compute_pass.hpp>
 #include <numbers>
-#include <pelagic/sky.hpp>
+#include <sky/sky_impl.hpp>
 
 #include "pelagic/shader/sky_light.h"
-#include "shared/sky_pass.h"
+#include "physics/atmosphere.glsl"
 #include "sky_clear_comp.spv.hpp"
 #include "sky_environment_comp.spv.hpp"
 #include "sky_environment_mip_comp.spv.hpp"
@@ -30,66 +28,55 @@ constexpr gpu::BufferState kLightRead{vk::PipelineStageFlagBits2::eVertexShader 
                                           vk::PipelineStageFlagBits2::eComputeShader,
                                       vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 
-/// A pipeline and its only set.
-struct Step {
-  gpu::ComputePass pass;
-  gpu::DescriptorSet set;
-};
+}  // namespace
+
+namespace sky {
 
 Result<Step> createStep(gpu::Context& context, std::string_view name, std::span<const std::uint32_t> code,
-                        std::span<const Binding> bindings) {
+                        std::initializer_list<vk::DescriptorType> types) {
+  std::vector<gpu::Binding> bindings;
+  for (const auto type : types) bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1});
   Step step;
-  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {name, code, bindings, sizeof(SkyPass), {}}));
+  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {name, code, bindings, sizeof(shader::SkyPass), {}}));
   step.pass = std::move(pass);
   PELAGIC_TRY(set, step.pass.createSet(name));
   step.set = std::move(set);
   return step;
 }
 
-SkyPass passOf(const SkyState& state) {
+Result<gpu::Image> createMap(gpu::Context& context, std::string_view name, std::uint32_t width, std::uint32_t height,
+                             std::uint32_t mips) {
+  gpu::ImageInfo info;
+  info.format = vk::Format::eR16G16B16A16Sfloat;
+  info.extent = vk::Extent2D(width, height);
+  info.mips = mips;
+  info.usage =
+      vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc;
+  return gpu::Image::create(context, Stage::sky, name, info);
+}
+
+shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept {
   const double azimuth = std::remainder(state.sunAzimuth, 2 * std::numbers::pi);
   const double side = std::cos(state.sunElevation);
-  SkyPass pass{};
+  shader::SkyPass pass{};
   pass.sunDirection =
       glm::vec4(side * std::cos(azimuth), std::sin(state.sunElevation), side * std::sin(azimuth), state.sunElevation);
   pass.sunAzimuth = static_cast<float>(azimuth);
   pass.overcast = static_cast<float>(state.overcast);
   pass.haze = static_cast<float>(state.haze);
   pass.gain = static_cast<float>(twilightGain(state.sunElevation));
+  pass.altitude = static_cast<float>(altitude);
+  pass.edge = shader::horizonElevation(pass.altitude);
+  pass.airRows = airRows;
   return pass;
 }
 
-}  // namespace
-
-struct Sky::Impl {
-  gpu::Context* context = nullptr;
-  SkyState state;
-  bool airChanged = true;  ///< What depends on the haze alone must be computed again.
-  bool changed = true;
-  gpu::Image transmittance, clear, radiance, environment;
-  gpu::Buffer scattering, light;
-  gpu::Unique<vk::Sampler> clamped, turning;
-  Step transmittanceStep, scatteringStep, clearStep, lightStep, radianceStep, environmentStep;
-  gpu::ComputePass mipPass;
-  std::vector<gpu::DescriptorSet> mipSets;  ///< Element i writes mip i + 1.
-
-  Result<void> createResources();
-  Result<void> createSteps();
-  void recordAir(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept;
-  void recordRadiance(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept;
-  void recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept;
-};
+}  // namespace sky
 
 Result<void> Sky::Impl::createResources() {
   const auto image = [&](gpu::Image& target, std::string_view name, std::uint32_t width, std::uint32_t height,
                          std::uint32_t mips) -> Result<void> {
-    gpu::ImageInfo info;
-    info.format = vk::Format::eR16G16B16A16Sfloat;
-    info.extent = vk::Extent2D(width, height);
-    info.mips = mips;
-    info.usage =
-        vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc;
-    PELAGIC_TRY(created, gpu::Image::create(*context, Stage::sky, name, info));
+    PELAGIC_TRY(created, sky::createMap(*context, name, width, height, mips));
     target = std::move(created);
     return {};
   };
@@ -120,11 +107,9 @@ Result<void> Sky::Impl::createResources() {
 }
 
 Result<void> Sky::Impl::createSteps() {
-  const auto create = [&](Step& target, std::string_view name, std::span<const std::uint32_t> code,
+  const auto create = [&](sky::Step& target, std::string_view name, std::span<const std::uint32_t> code,
                           std::initializer_list<Type> types) -> Result<void> {
-    std::vector<Binding> bindings;
-    for (const Type type : types) bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1});
-    PELAGIC_TRY(step, createStep(*context, name, code, bindings));
+    PELAGIC_TRY(step, sky::createStep(*context, name, code, types));
     target = std::move(step);
     return {};
   };
@@ -248,11 +233,12 @@ Result<void> Sky::setState(const SkyState& state) {
 
 void Sky::record(VkCommandBuffer commands, Timings* timings) noexcept {
   if (!impl_->changed) return;
-  const SkyPass push = passOf(impl_->state);
+  const SkyPass push = sky::passOf(impl_->state, 0, 0);
   if (impl_->airChanged) impl_->recordAir(commands, push, timings);
   impl_->recordRadiance(commands, push, timings);
   impl_->recordEnvironment(commands, timings);
   impl_->airChanged = impl_->changed = false;
+  ++impl_->version;
 }
 
 SkyMaps Sky::maps() const noexcept {

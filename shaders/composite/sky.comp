@@ -12,7 +12,7 @@ void main() {
   vec3 ray = pixelRay(tile.pixel);
   float inverseLength = inversesqrt(dot(ray, ray));
   vec3 d = ray * inverseLength;
-  vec3 radiance = skyRadiance(d) + sunDisc(d, frame.waterAlbedo.w * inverseLength);
+  vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, frame.waterAlbedo.w * inverseLength);
   float depth = frame.rayY.w;
   if (kHasHost) {
     Pixel pixel = readPixel(tile.pixel);

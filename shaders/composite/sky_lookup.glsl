@@ -4,17 +4,23 @@
 
 const float kPi = 3.14159265;
 
-// Radiance of the sky without the sun's disc toward d (unit). Below the horizontal there is the horizon's: what a high
-// camera sees between the horizontal and the dipped edge of the sea.
-vec3 skyRadiance(vec3 d) {
-  float elevation = max(atan(d.y, length(d.xz)), 0.0);
-  float rows = float(textureSize(radianceMap, 0).y);
-  // Not below the centre of the first row above the horizon, lest the filter mixes in the rows under it.
-  float v = 0.5 + 0.5 * max(sqrt(elevation * (2.0 / kPi)), 1.0 / rows);
+// Place of the direction d (unit) in the radiance map.
+vec2 skyPlace(vec3 d) {
+  float edge = frame.thickCrest.w;
+  float from = atan(d.y, length(d.xz)) - edge;
+  float part = sqrt(abs(from) / (0.5 * kPi + (from < 0.0 ? edge : -edge)));
+  // Not across the horizon: the first row's centre on either side.
+  float row = max(part, 1.0 / float(textureSize(radianceMap, 0).y));
   // Straight up and down have no azimuth.
   float azimuth = dot(d.xz, d.xz) > 0.0 ? atan(d.z, d.x) : 0.0;
-  return textureLod(radianceMap, vec2(azimuth * (0.5 / kPi), v), 0.0).rgb;
+  return vec2(azimuth * (0.5 / kPi), 0.5 + 0.5 * (from < 0.0 ? -row : row));
 }
+
+// Radiance of the sky without the sun's disc; below the eye's horizon, that of the air (pelagic/sky.hpp).
+vec3 skyRadiance(vec2 place) { return textureLod(radianceMap, place, 0.0).rgb; }
+
+// Of the horizon at the same azimuth.
+vec3 horizonRadiance(vec2 place) { return skyRadiance(vec2(place.x, 0.5 + 0.5 / float(textureSize(radianceMap, 0).y))); }
 
 // The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance; its edge
 // is softened over a pixel of the angular size `pixel` [rad].

@@ -38,8 +38,9 @@ void main() {
   float rayLength = length(ray);
   vec3 d = ray / rayLength;
 
-  // The same lookup serves the sky of a sky pixel and the horizon beyond a water pixel.
-  vec3 beyond = skyRadiance(pixel.water ? vec3(d.x, 0, d.z) : d);
+  // The same place serves the sky of a sky pixel and the air before a water pixel, also before a crest over the horizon.
+  vec2 place = skyPlace(pixel.water ? vec3(d.x, min(d.y, (frame.thickCrest.w - 1e-4) * length(d.xz)), d.z) : d);
+  vec3 beyond = skyRadiance(place);
   vec3 radiance = beyond;
   vec4 normal = vec4(0);
   vec2 variance = vec2(0);
@@ -57,7 +58,7 @@ void main() {
     float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
     float side = footprintSide(across, across / max(along, across));
     SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
-    radiance = seaRadiance(sea, v, l, beyond);
+    radiance = seaRadiance(sea, v, l, horizonRadiance(place));
     normal.xyz = sea.normal;
     if (kFoaming) {
       Foam foam = foamAt(sea.foam, p, side);

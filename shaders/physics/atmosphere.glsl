@@ -149,19 +149,25 @@ PELAGIC_AIR_FORMULA vec2 scatteringPoint(vec2 place) {
   return vec2(kAirTop * place.y * place.y, s * abs(s));
 }
 
-// Rows of the sky maps: elevation -> v and back, v = 0.5 at the horizon, denser there.
-PELAGIC_AIR_FORMULA float skyRow(float elevation) {
-  float s = sqrt(abs(elevation) / (0.5f * kAirPi));
-  return 0.5f + 0.5f * (elevation < 0.0f ? -s : s);
+// Elevation of the globe's edge seen from altitude h [rad], <= 0.
+PELAGIC_AIR_FORMULA float horizonElevation(float h) {
+  return -atan(sqrt(h * (2.0f * kEarthRadius + h)) / kEarthRadius);
 }
-PELAGIC_AIR_FORMULA float skyElevation(float row) {
+
+// Rows of the sky maps: elevation -> v and back, v = 0.5 at the eye's horizon `edge`, denser there.
+PELAGIC_AIR_FORMULA float skyRow(float elevation, float edge) {
+  float from = elevation - edge;
+  float s = sqrt(abs(from) / (0.5f * kAirPi + (from < 0.0f ? edge : -edge)));
+  return 0.5f + 0.5f * (from < 0.0f ? -s : s);
+}
+PELAGIC_AIR_FORMULA float skyElevation(float row, float edge) {
   float s = 2.0f * row - 1.0f;
-  return 0.5f * kAirPi * s * abs(s);
+  return edge + (0.5f * kAirPi + (s < 0.0f ? edge : -edge)) * s * abs(s);
 }
-// Texture coordinates of a direction in the radiance map.
+// Texture coordinates of a direction in the radiance map of sea level.
 PELAGIC_AIR_FORMULA vec2 skyUv(vec3 direction) {
   float u = atan(direction.z, direction.x) / (2.0f * kAirPi);
-  return vec2(u < 0.0f ? u + 1.0f : u, skyRow(asin(clamp(direction.y, -1.0f, 1.0f))));
+  return vec2(u < 0.0f ? u + 1.0f : u, skyRow(asin(clamp(direction.y, -1.0f, 1.0f)), 0.0f));
 }
 
 // CIE standard overcast sky (Moon & Spencer 1942), relative to the zenith.

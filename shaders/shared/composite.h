@@ -37,7 +37,7 @@ struct CompositeFrame {
   vec4 rayY;         // w: the depth of the far plane
   vec4 absorption;   // a [1/m] per channel; w: height of the eye over the still water below it [m]
   vec4 thinCrest;    // transmittance of the thinnest and; w: how far old foam gathers in streaks, 0 ... 1
-  vec4 thickCrest;   // of the thickest crest that light comes through
+  vec4 thickCrest;   // of the thickest crest that light comes through; w: elevation of the eye's horizon [rad]
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   uint width;        // of the view [px]

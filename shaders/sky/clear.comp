@@ -1,5 +1,7 @@
 #version 460
-// Radiance of the clear sky from sea level, relative to the sun's azimuth (it is symmetric about it).
+// Radiance of the clear sky as the eye sees it, relative to the sun's azimuth (it is symmetric about it). Below the horizon,
+// where there are rows for it: the light that the air adds on the way to the sea per light that it takes, 1 - transmittance,
+// which hardly depends on how far along the way the eye looks.
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/types.h"
 #include "physics/atmosphere.glsl"
@@ -26,34 +28,46 @@ vec3 manyTimesScattered(float h, float mu) {
              mix(scattering[i + kScatteringWidth].rgb, scattering[i + kScatteringWidth + 1].rgb, f.x), f.y);
 }
 
-vec3 radiance(float viewMu, float sunMu, float sunView) {
-  float end = distanceToTop(0.0, viewMu);
+struct Air {
+  vec3 light;    // scattered into the path
+  vec3 through;  // transmittance of the path
+};
+
+Air airAlong(float viewMu, float end, float sunMu, float sunView) {
   float rayleigh = rayleighPhase(sunView), mie = miePhase(sunView);
-  vec3 through = vec3(1), light = vec3(0);
+  Air air = Air(vec3(0), vec3(1));
   for (int i = 0; i < kSteps; ++i) {
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;  // dense near the eye
-    float h = clamp(altitudeAlong(0.0, viewMu, t), 0.0, kAirTop);
-    float mu = (kEarthRadius * sunMu + t * sunView) / (kEarthRadius + h);
+    float h = clamp(altitudeAlong(pass.altitude, viewMu, t), 0.0, kAirTop);
+    float mu = ((kEarthRadius + pass.altitude) * sunMu + t * sunView) / (kEarthRadius + h);
     vec3 density = airDensity(h);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density, pass.haze);
     vec3 source = (molecules * rayleigh + aerosols * mie) * sunlightAt(transmittance, h, mu) +
                   (molecules + aerosols) * manyTimesScattered(h, mu);
-    vec3 stepThrough = exp(-extinction * (end * (b * b - a * a)));
-    light += source * through * (1.0 - stepThrough) / max(extinction, vec3(1e-12));
-    through *= stepThrough;
+    vec3 depth = extinction * (end * (b * b - a * a));
+    // Exact along the step when the medium is constant in it; 1 - exp(-x) has no digits left where x is small.
+    vec3 taken = mix(1.0 - exp(-depth), depth, lessThan(depth, vec3(1e-4)));
+    air.light += source * air.through * taken / max(extinction, vec3(1e-12));
+    air.through *= 1.0 - taken;
   }
-  return light;
+  return air;
 }
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  vec2 place = (vec2(texel) + 0.5) / float(kClearSize);
-  float azimuth = kAirPi * place.x * place.x;
-  float elevation = 0.5 * kAirPi * place.y * place.y;
+  float azimuth = (float(texel.x) + 0.5) / float(kClearSize);
+  azimuth *= kAirPi * azimuth;
+  bool below = texel.y < int(pass.airRows);
+  float row = below ? -(float(int(pass.airRows) - texel.y) - 0.5) / float(pass.airRows)
+                    : (float(texel.y - int(pass.airRows)) + 0.5) / float(kClearSize);
+  float elevation = skyElevation(0.5 + 0.5 * row, pass.edge);
   float sunMu = pass.sunDirection.y, sunSide = sqrt(max(0.0, 1.0 - sunMu * sunMu));
-  float sunView = sin(elevation) * sunMu + cos(elevation) * sunSide * cos(azimuth);
-  vec3 light = (radiance(sin(elevation), sunMu, sunView) + kNight) * pass.gain;
-  imageStore(clear, texel, vec4(light, 1));
+  float viewMu = sin(elevation);
+  float sunView = viewMu * sunMu + cos(elevation) * sunSide * cos(azimuth);
+  float ground = distanceToGround(pass.altitude, viewMu);
+  Air air = airAlong(viewMu, below && ground >= 0.0 ? ground : distanceToTop(pass.altitude, viewMu), sunMu, sunView);
+  vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight;
+  imageStore(clear, texel, vec4(light * pass.gain, 1));
 }

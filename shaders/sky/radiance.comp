@@ -1,6 +1,6 @@
 #version 460
-// The sky over the whole horizon: clear and overcast mixed. Below the horizon the map holds the radiance of the horizon
-// at the same azimuth, so that filtering across it shows no rim.
+// The sky over the whole horizon: clear and overcast mixed. Below the horizon a view's map holds what the air adds, that of
+// sea level the radiance of the horizon at the same azimuth, so that filtering across it shows no rim.
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/types.h"
 #include "physics/atmosphere.glsl"
@@ -17,8 +17,12 @@ void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
   vec2 uv = (vec2(texel) + 0.5) / vec2(kRadianceWidth, kRadianceHeight);
   float turn = abs(fract(uv.x - pass.sunAzimuth / (2.0 * kAirPi) + 0.5) - 0.5);  // from the sun, in turns, 0 ... 0.5
-  float row = max(2.0 * uv.y - 1.0, 0.0);
-  vec3 clearSky = textureLod(clear, vec2(sqrt(2.0 * turn), row), 0).rgb;
-  vec3 clouds = light.cloudZenith.rgb * cieOvercast(sin(max(skyElevation(uv.y), 0.0)));
+  float row = 2.0 * uv.y - 1.0;
+  float rows = row > 0.0 ? row * float(kClearSize) : row * float(pass.airRows);
+  // Not across the horizon: the two sides are different things.
+  rows = row > 0.0 ? max(rows, 0.5) : min(rows, pass.airRows > 0u ? -0.5 : 0.5);
+  float v = (rows + float(pass.airRows)) / float(kClearSize + pass.airRows);
+  vec3 clearSky = textureLod(clear, vec2(sqrt(2.0 * turn), v), 0).rgb;
+  vec3 clouds = light.cloudZenith.rgb * cieOvercast(sin(max(skyElevation(uv.y, pass.edge), 0.0)));
   imageStore(radiance, texel, vec4(clearSky * (1.0 - pass.overcast) + clouds, 1));
 }

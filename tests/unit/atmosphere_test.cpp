@@ -134,8 +134,20 @@ TEST(Atmosphere, MapParametrisationsInvert) {
       EXPECT_NEAR(back.y, y, 1e-5);
     }
   }
-  for (const float elevation : {-1.2f, -0.1f, 0.0f, 1e-3f, 0.5f, 1.5f}) {
-    EXPECT_NEAR(air::skyElevation(air::skyRow(elevation)), elevation, 1e-6);
+  for (const float edge : {0.0f, -0.056f}) {
+    for (const float elevation : {-1.2f, -0.1f, 0.0f, 1e-3f, 0.5f, 1.5f}) {
+      EXPECT_NEAR(air::skyElevation(air::skyRow(elevation, edge), edge), elevation, 1e-6);
+    }
+    EXPECT_NEAR(air::skyRow(edge, edge), 0.5, 1e-6);
+    EXPECT_NEAR(air::skyRow(0.5f * air::kAirPi, edge), 1, 1e-6);
+    EXPECT_NEAR(air::skyRow(-0.5f * air::kAirPi, edge), 0, 1e-6);
+  }
+}
+
+TEST(Atmosphere, HorizonDipsByTheCosineLaw) {
+  for (const double h : {0.0, 3.0, 200.0, 10e3, 60e3}) {
+    const double dip = std::acos(6371e3 / (6371e3 + h));
+    EXPECT_NEAR(air::horizonElevation(static_cast<float>(h)), -dip, 1e-5 + 1e-6 * dip) << h;
   }
 }
 
