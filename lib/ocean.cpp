@@ -54,7 +54,7 @@ Result<void> Ocean::setMedium(const WaterMedium& medium) {
 
 Result<OceanView> Ocean::createView(const CompositeTargets& targets) {
   PELAGIC_TRY(surface, SurfaceView::create(impl_->surface, impl_->waves.maps(), targets.output.extent));
-  PELAGIC_TRY(sky, SkyView::create(impl_->sky));
+  PELAGIC_TRY(sky, SkyView::create(impl_->sky, targets.output.extent));
   PELAGIC_TRY(composite,
               CompositeView::create(impl_->composite, impl_->waves.maps(), sky.maps(), surface.buffer(), targets));
   return OceanView(std::make_unique<OceanView::Impl>(
@@ -63,7 +63,7 @@ Result<OceanView> Ocean::createView(const CompositeTargets& targets) {
 
 void Ocean::record(VkCommandBuffer commands, double time, Timings* timings) noexcept {
   impl_->waves.record(commands, time, timings);
-  impl_->sky.record(commands, timings);
+  impl_->sky.record(commands, time, timings);
 }
 
 const Waves& Ocean::waves() const noexcept { return impl_->waves; }
@@ -72,7 +72,7 @@ const Sky& Ocean::sky() const noexcept { return impl_->sky; }
 void OceanView::record(VkCommandBuffer commands, const Camera& camera, Timings* timings) noexcept {
   Ocean::Impl& ocean = *impl_->ocean;
   const WaveMaps maps = ocean.waves.maps();
-  impl_->sky.record(commands, camera.position.y, timings);
+  impl_->sky.record(commands, camera, timings);
   impl_->surface.record(commands, maps, camera, timings);
   impl_->composite.record(commands, maps, camera, ocean.medium, timings);
 }

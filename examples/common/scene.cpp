@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 
 #include "settings_file.hpp"
 
@@ -42,6 +44,12 @@ Fields lightFields(Scene& scene) {
       numberField("sun-azimuth", "DEG", "Direction to the sun, from +x turning to +z", {-360, 360, "degrees"},
                   scene.sky.sunAzimuth, kDegree),
       numberField("overcast", "X", "0 clear sky, 1 overcast", {0, 1, ""}, scene.sky.overcast),
+      numberField("cloud-cover", "X", "Share of the sky under clouds, 0 none, 1 all", {0, 1, ""},
+                  scene.sky.clouds.cover),
+      numberField("cloud-base", "M", "Altitude of the clouds' base", {100, 8000, "m"}, scene.sky.clouds.base),
+      numberField("cloud-thickness", "M", "Height of the clouds", {50, 4000, "m"}, scene.sky.clouds.thickness),
+      wholeField("cloud-seed", "N", "Seed of the clouds' shape", 0, std::numeric_limits<std::uint32_t>::max(),
+                 [&scene](std::uint64_t seed) { scene.sky.clouds.seed = static_cast<std::uint32_t>(seed); }),
       numberField("haze", "X", "Aerosol, 1 is clean air over the sea", {0, 20, ""}, scene.sky.haze),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
@@ -92,6 +100,9 @@ pelagic::OceanInfo oceanInfo(const Scene& scene) {
   pelagic::OceanInfo info;
   info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);
   info.sky = scene.sky;
+  // Clouds drift with the wind.
+  const double wind = scene.sea.state.windSpeed, direction = scene.sea.state.windDirection;
+  info.sky.clouds.velocity = wind * glm::dvec2(std::cos(direction), std::sin(direction));
   info.medium = scene.medium;
   return info;
 }

@@ -3,6 +3,8 @@
 
 #include <pelagic/shader/constants.h>
 
+#include <vulkan/vulkan_core.h>
+
 #include <glm/glm.hpp>
 
 namespace pelagic {
@@ -19,5 +21,12 @@ struct Camera {
   glm::mat4 projection{1};
   bool reversedDepth = true;  ///< True: nearer is greater (preferred, with infinite far plane). False: nearer is less.
 };
+
+/// The points behind the pixels of a picture: that of clip-space w behind pixel (x, y) is w (origin + x right + y down)
+/// from the eye, world axes; (0, 0) is the centre of the first pixel.
+struct PixelRays {
+  glm::dvec3 origin, right, down;
+};
+PixelRays pixelRays(const Camera& camera, VkExtent2D extent) noexcept;
 
 }  // namespace pelagic

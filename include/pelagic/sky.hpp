@@ -8,6 +8,7 @@
 #include <pelagic/shader/constants.h>
 
 #include <glm/glm.hpp>
+#include <pelagic/camera.hpp>
 #include <pelagic/device.hpp>
 #include <pelagic/image.hpp>
 #include <pelagic/timings.hpp>
@@ -17,11 +18,22 @@ namespace pelagic {
 /// Angular radius of the sun's disc [rad].
 inline constexpr double kSunAngularRadius = shader::kSunAngularRadius;
 
+/// One layer of clouds, which drifts with the wind. Its shape repeats after 15 km.
+struct CloudLayer {
+  double cover = 0;           ///< Share of the sky that they take, looking up [1], 0 none … 1 all.
+  double base = 800;          ///< Altitude of their base [m], 100 … 8000.
+  double thickness = 700;     ///< From base to the highest tops [m], 50 … 4000.
+  glm::dvec2 velocity{6, 0};  ///< Along world x and z [m/s], -100 … 100 each.
+  std::uint32_t seed = 1;     ///< Of their shape.
+  bool operator==(const CloudLayer&) const = default;
+};
+
 struct SkyState {
   double sunElevation = 0.6;  ///< Above the horizontal [rad], -pi/2 … pi/2.
   double sunAzimuth = 0.0;    ///< Toward the sun, from +x turning to +z [rad], finite.
   double overcast = 0.0;      ///< 0 clear … 1 CIE overcast sky without a sun [1].
   double haze = 1.0;          ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
+  CloudLayer clouds;          ///< Below the overcast, which has no height.
 };
 Result<void> validate(const SkyState& state);
 
@@ -45,6 +57,14 @@ struct SkyMaps {
   /// binds it as a uniform block. Resting state: shader reads.
   VkBuffer light = VK_NULL_HANDLE;
   VkDeviceSize lightSize = 0;
+  /// Clouds, null where there can be none, as in Sky::maps(). rgba16f, a picture of the view at a third of its
+  /// resolution, pixel (x, y) of the view at ((x, y) + 0.5)/(3 extent): RGB light of the clouds and the air before
+  /// them, A the transmittance for what is behind.
+  MapView clouds;
+  /// r16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, at
+  /// SkyLight::cloudPlace.xy
+  /// + p SkyLight::cloudPlace.z for p = (x, z) from the eye [m].
+  MapView cloudShadow;
 };
 
 /// Move-only; one thread at a time.
@@ -57,8 +77,10 @@ class Sky {
 
   /// Takes effect with the next record(). On error nothing changes.
   Result<void> setState(const SkyState& state);
-  /// Recomputes the maps when the state changed since the last call, else records nothing.
-  void record(VkCommandBuffer commands, Timings* timings = nullptr) noexcept;
+  /// Recomputes the maps when the state changed since the last call, else records nothing. `time` [s], any finite
+  /// value: where the clouds have drifted to by then is seen in views.
+  void record(VkCommandBuffer commands, double time, Timings* timings = nullptr) noexcept;
+  /// Of a sea without clouds.
   SkyMaps maps() const noexcept;
 
  private:
@@ -68,19 +90,20 @@ class Sky {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The sky from an eye above the sea, and the air between the eye and what it sees. Move-only; one thread at a time;
-/// must not outlive its Sky.
+/// The sky of one camera: from its altitude, with clouds, and the air between the eye and what it sees. Move-only; one
+/// thread at a time; must not outlive its Sky.
 class SkyView {
  public:
-  static Result<SkyView> create(const Sky& sky);
+  /// `extent` of the view's pictures [px], 1 … 16384 each.
+  static Result<SkyView> create(const Sky& sky, VkExtent2D extent);
   SkyView(SkyView&&) noexcept;
   SkyView& operator=(SkyView&&) noexcept;
   ~SkyView();
 
-  /// After Sky::record(). `altitude` of the eye [m], to the metre, held at 0 to 99 km. Recomputes the map when the sky
-  /// or the altitude changed, else records nothing.
-  void record(VkCommandBuffer commands, double altitude, Timings* timings = nullptr) noexcept;
-  /// As the sky's, with the radiance that the eye sees.
+  /// After Sky::record(). The camera's altitude counts to the metre, held at 0 to 99 km. What depends on the sky's
+  /// state and the altitude is recomputed when they have changed, the clouds always, where there are any.
+  void record(VkCommandBuffer commands, const Camera& camera, Timings* timings = nullptr) noexcept;
+  /// As the sky's, as the eye sees it.
   SkyMaps maps() const noexcept;
 
  private:

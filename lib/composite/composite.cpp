@@ -30,7 +30,8 @@ constexpr gpu::Binding kBindings[] = {
     {14, DescriptorType::eStorageImage},         {15, DescriptorType::eStorageImage},
     {16, DescriptorType::eStorageImage},         {17, DescriptorType::eStorageBuffer},
     {18, DescriptorType::eCombinedImageSampler}, {19, DescriptorType::eStorageImage},
-    {20, DescriptorType::eStorageBuffer},
+    {20, DescriptorType::eStorageBuffer},        {21, DescriptorType::eCombinedImageSampler},
+    {22, DescriptorType::eCombinedImageSampler},
 };
 
 /// As in shaders/composite/resolve.comp.
@@ -45,9 +46,9 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// The shaders' specialisation constants 0 … 5: which of a view's optional images there are, whether tiles foam, and
-/// whether there is a map of gains.
-using Variant = std::array<std::uint32_t, 6>;
+/// The shaders' specialisation constants 0 … 6: which of a view's optional images there are, whether tiles foam, and
+/// whether there are a map of gains and clouds.
+using Variant = std::array<std::uint32_t, 7>;
 
 struct Passes {
   gpu::ComputePass classify;
@@ -60,7 +61,8 @@ struct Passes {
 
 struct Composite::Impl {
   gpu::Context* context = nullptr;
-  gpu::Unique<vk::Sampler> repeat;  ///< Wave maps, and by azimuth the sky.
+  gpu::Unique<vk::Sampler> repeat;  ///< Wave maps.
+  gpu::Unique<vk::Sampler> wrap;    ///< The clouds' shadow.
   gpu::Unique<vk::Sampler> azimuth;
   gpu::Unique<vk::Sampler> clamp;
   gpu::Unique<vk::Sampler> nearest;
@@ -112,7 +114,9 @@ Result<Composite> Composite::create(Device& device) {
   PELAGIC_TRY(clamp, sampler("composite clamp", {.u = edge, .v = edge}));
   PELAGIC_TRY(nearest,
               sampler("composite nearest", {vk::Filter::eNearest, vk::SamplerMipmapMode::eNearest, edge, edge}));
+  PELAGIC_TRY(wrap, sampler("composite wrap", {}));
   impl->repeat = std::move(repeat);
+  impl->wrap = std::move(wrap);
   impl->azimuth = std::move(azimuth);
   impl->clamp = std::move(clamp);
   impl->nearest = std::move(nearest);
@@ -174,6 +178,8 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   set.storageImage(16, orOutput(targets.mergedDepth));
   set.buffer(17, shared.fresnel.handle());
   set.sampled(18, waves.gain.view ? waves.gain.view : waves.gradient.view, *shared.nearest);
+  set.sampled(21, sky.clouds.view ? sky.clouds.view : sky.radiance.view, *shared.clamp);
+  set.sampled(22, sky.cloudShadow.view ? sky.cloudShadow.view : sky.radiance.view, *shared.wrap);
   set.storageImage(19, shaded.mipView(0));
   set.buffer(20, edges.handle());
   resolveSet.sampled(0, shaded.view(), *shared.nearest);
@@ -213,7 +219,8 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
                         targets.slopeVariance.has_value(),
                         targets.mergedDepth.has_value(),
                         0,
-                        waves.gain.view != VK_NULL_HANDLE};
+                        waves.gain.view != VK_NULL_HANDLE,
+                        sky.clouds.view != VK_NULL_HANDLE && sky.cloudShadow.view != VK_NULL_HANDLE};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
   impl->resolve = &shared.resolve;

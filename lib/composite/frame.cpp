@@ -9,25 +9,15 @@
 namespace pelagic {
 namespace {
 
-/// Pixels to world: the point with the clip-space w behind a pixel is w times a vector that is linear in the pixel,
-/// since a perspective projection puts only a multiple of the view's z into w.
 void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& frame) noexcept {
-  const glm::dmat4 unproject = glm::inverse(glm::dmat4(camera.projection));
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(camera.rotation));
-  const auto ray = [&](double x, double y) {
-    const glm::dvec4 clip(2 * (x + 0.5) / extent.width - 1, 2 * (y + 0.5) / extent.height - 1, 1, 1);
-    return toWorld * glm::dvec3(unproject * clip);
-  };
-  const glm::dvec3 origin = ray(0, 0);
-  const glm::dvec3 x = ray(1, 0) - origin;
-  const glm::dvec3 y = ray(0, 1) - origin;
+  const PixelRays rays = pixelRays(camera, extent);
   // depth w = P22 z + P32 and w = P23 z, so w = P32 / (depth - P22/P23).
   const glm::dmat4 p(camera.projection);
   const double far = camera.reversedDepth ? 0 : 1;
-  frame.ray = glm::vec4(glm::dvec4(origin, p[3][2]));
-  frame.rayX = glm::vec4(glm::dvec4(x, p[2][2] / p[2][3]));
-  frame.rayY = glm::vec4(glm::dvec4(y, far));
-  frame.waterAlbedo.w = static_cast<float>(std::sqrt(glm::length(x) * glm::length(y)));
+  frame.ray = glm::vec4(glm::dvec4(rays.origin, p[3][2]));
+  frame.rayX = glm::vec4(glm::dvec4(rays.right, p[2][2] / p[2][3]));
+  frame.rayY = glm::vec4(glm::dvec4(rays.down, far));
+  frame.waterAlbedo.w = static_cast<float>(std::sqrt(glm::length(rays.right) * glm::length(rays.down)));
   frame.nearer = camera.reversedDepth ? 1.0f : -1.0f;
 }
 

@@ -10,6 +10,8 @@ inline constexpr ImageState kComputeStorageWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHA
                                                  VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
 inline constexpr ImageState kComputeSampled{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
                                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+inline constexpr ImageState kTransferDestination{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 inline constexpr BufferState kComputeRead{vk::PipelineStageFlagBits2::eComputeShader,
                                           vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 inline constexpr BufferState kComputeWrite{vk::PipelineStageFlagBits2::eComputeShader,

@@ -89,7 +89,8 @@ Result<Buffer> Buffer::create(Context& context, Stage stage, std::string_view na
 Result<Image> Image::create(Context& context, Stage stage, std::string_view name, const ImageInfo& info) {
   Image result;
   result.info_ = info;
-  const vk::ImageCreateInfo create({}, vk::ImageType::e2D, info.format, {info.extent.width, info.extent.height, 1},
+  const auto dimension = info.depth > 1 ? vk::ImageType::e3D : vk::ImageType::e2D;
+  const vk::ImageCreateInfo create({}, dimension, info.format, {info.extent.width, info.extent.height, info.depth},
                                    info.mips, info.layers, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
                                    info.usage);
   auto image = context.device.createImageUnique(create, context.allocator(), context.dispatch);
@@ -105,7 +106,9 @@ Result<Image> Image::create(Context& context, Stage stage, std::string_view name
   if (bound != vk::Result::eSuccess) return fail(bound, "bind memory to the image " + std::string(name));
 
   const bool array = info.array || info.layers > 1;
-  const auto type = array ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D;
+  const auto type = info.depth > 1 ? vk::ImageViewType::e3D
+                    : array        ? vk::ImageViewType::e2DArray
+                                   : vk::ImageViewType::e2D;
   const auto makeView = [&](std::uint32_t firstMip, std::uint32_t mips) {
     auto range = result.range();
     range.baseMipLevel = firstMip;

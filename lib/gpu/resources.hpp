@@ -52,6 +52,7 @@ class Buffer {
 struct ImageInfo {
   vk::Format format{};
   vk::Extent2D extent{};
+  std::uint32_t depth = 1;  ///< More than 1: a 3-D image.
   std::uint32_t layers = 1;
   std::uint32_t mips = 1;
   bool array = false;  ///< The view is a 2-D array even with one layer.
@@ -87,7 +88,7 @@ struct SamplerInfo {
   vk::Filter filter = vk::Filter::eLinear;
   vk::SamplerMipmapMode mipmap = vk::SamplerMipmapMode::eLinear;
   vk::SamplerAddressMode u = vk::SamplerAddressMode::eRepeat;
-  vk::SamplerAddressMode v = vk::SamplerAddressMode::eRepeat;
+  vk::SamplerAddressMode v = vk::SamplerAddressMode::eRepeat;  ///< Along w: to the edge.
 };
 Result<Unique<vk::Sampler>> createSampler(Context& context, std::string_view name, const SamplerInfo& info);
 

@@ -5,55 +5,13 @@
 #include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
 #include "sky_clear_comp.spv.hpp"
-#include "sky_environment_comp.spv.hpp"
-#include "sky_environment_mip_comp.spv.hpp"
 #include "sky_light_comp.spv.hpp"
 #include "sky_radiance_comp.spv.hpp"
 #include "sky_scattering_comp.spv.hpp"
 #include "sky_transmittance_comp.spv.hpp"
 
 namespace pelagic {
-namespace {
-
-using gpu::Binding;
-using shader::SkyPass;
-using Type = vk::DescriptorType;
-
-constexpr std::uint32_t kEnvironmentMips = 9;
-static_assert(shader::kEnvironmentSize == 1u << (kEnvironmentMips - 1));
-
-/// Resting state of the light: readable by any shader, as a storage or uniform buffer.
-constexpr gpu::BufferState kLightRead{vk::PipelineStageFlagBits2::eVertexShader |
-                                          vk::PipelineStageFlagBits2::eFragmentShader |
-                                          vk::PipelineStageFlagBits2::eComputeShader,
-                                      vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
-
-}  // namespace
-
 namespace sky {
-
-Result<Step> createStep(gpu::Context& context, std::string_view name, std::span<const std::uint32_t> code,
-                        std::initializer_list<vk::DescriptorType> types) {
-  std::vector<gpu::Binding> bindings;
-  for (const auto type : types) bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1});
-  Step step;
-  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {name, code, bindings, sizeof(shader::SkyPass), {}}));
-  step.pass = std::move(pass);
-  PELAGIC_TRY(set, step.pass.createSet(name));
-  step.set = std::move(set);
-  return step;
-}
-
-Result<gpu::Image> createMap(gpu::Context& context, std::string_view name, std::uint32_t width, std::uint32_t height,
-                             std::uint32_t mips) {
-  gpu::ImageInfo info;
-  info.format = vk::Format::eR16G16B16A16Sfloat;
-  info.extent = vk::Extent2D(width, height);
-  info.mips = mips;
-  info.usage =
-      vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc;
-  return gpu::Image::create(context, Stage::sky, name, info);
-}
 
 shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept {
   const double azimuth = std::remainder(state.sunAzimuth, 2 * std::numbers::pi);
@@ -71,32 +29,33 @@ shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t air
   return pass;
 }
 
+Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name) {
+  using Usage = vk::BufferUsageFlagBits;
+  return gpu::Buffer::create(context, Stage::sky, name, sizeof(shader::SkyLight),
+                             Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc);
+}
+
 }  // namespace sky
 
 Result<void> Sky::Impl::createResources() {
-  const auto image = [&](gpu::Image& target, std::string_view name, std::uint32_t width, std::uint32_t height,
-                         std::uint32_t mips) -> Result<void> {
-    PELAGIC_TRY(created, sky::createMap(*context, name, width, height, mips));
+  const auto image = [&](gpu::Image& target, std::string_view name, vk::Extent2D extent) -> Result<void> {
+    PELAGIC_TRY(created, sky::createMap(*context, name, extent));
     target = std::move(created);
     return {};
   };
-  PELAGIC_CHECK(
-      image(transmittance, "sky transmittance", shader::kTransmittanceWidth, shader::kTransmittanceHeight, 1));
-  PELAGIC_CHECK(image(clear, "sky clear", shader::kClearSize, shader::kClearSize, 1));
-  PELAGIC_CHECK(image(radiance, "sky radiance", shader::kRadianceWidth, shader::kRadianceHeight, 1));
-  PELAGIC_CHECK(
-      image(environment, "sky environment", shader::kEnvironmentSize, shader::kEnvironmentSize, kEnvironmentMips));
+  PELAGIC_CHECK(image(transmittance, "sky transmittance", {shader::kTransmittanceWidth, shader::kTransmittanceHeight}));
+  PELAGIC_CHECK(image(clear, "sky clear", {shader::kClearSize, shader::kClearSize}));
+  PELAGIC_CHECK(image(radiance, "sky radiance", {shader::kRadianceWidth, shader::kRadianceHeight}));
   PELAGIC_TRY(scatteringBuffer,
               gpu::Buffer::create(*context, Stage::sky, "sky scattering",
                                   sizeof(glm::vec4) * shader::kScatteringWidth * shader::kScatteringHeight,
                                   vk::BufferUsageFlagBits::eStorageBuffer));
   scattering = std::move(scatteringBuffer);
-  PELAGIC_TRY(lightBuffer,
-              gpu::Buffer::create(*context, Stage::sky, "sky light", sizeof(shader::SkyLight),
-                                  vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eUniformBuffer |
-                                      vk::BufferUsageFlagBits::eTransferSrc));
+  PELAGIC_TRY(lightBuffer, sky::createLight(*context, "sky light"));
   light = std::move(lightBuffer);
   gpu::SamplerInfo info;
+  PELAGIC_TRY(repeatSampler, gpu::createSampler(*context, "sky repeat", info));
+  repeat = std::move(repeatSampler);
   info.v = vk::SamplerAddressMode::eClampToEdge;
   PELAGIC_TRY(turningSampler, gpu::createSampler(*context, "sky turning", info));
   turning = std::move(turningSampler);
@@ -107,9 +66,10 @@ Result<void> Sky::Impl::createResources() {
 }
 
 Result<void> Sky::Impl::createSteps() {
+  using Type = vk::DescriptorType;
   const auto create = [&](sky::Step& target, std::string_view name, std::span<const std::uint32_t> code,
                           std::initializer_list<Type> types) -> Result<void> {
-    PELAGIC_TRY(step, sky::createStep(*context, name, code, types));
+    PELAGIC_TRY(step, sky::createStep(*context, name, code, types, sizeof(shader::SkyPass)));
     target = std::move(step);
     return {};
   };
@@ -130,24 +90,14 @@ Result<void> Sky::Impl::createSteps() {
   radianceStep.set.sampled(0, clear.view(), *clamped);
   radianceStep.set.buffer(1, light.handle());
   radianceStep.set.storageImage(2, radiance.mipView(0));
-  PELAGIC_CHECK(create(environmentStep, "sky environment", shaders::sky_environment_comp, {sampled, storage}));
-  environmentStep.set.sampled(0, radiance.view(), *turning);
-  environmentStep.set.storageImage(1, environment.mipView(0));
-
-  const Binding bindings[] = {{0, sampled, 1}, {1, storage, 1}};
-  PELAGIC_TRY(mip, gpu::ComputePass::create(
-                       *context, {"sky environment mip", shaders::sky_environment_mip_comp, bindings, 0, {}}));
-  mipPass = std::move(mip);
-  for (std::uint32_t i = 0; i + 1 < kEnvironmentMips; ++i) {
-    PELAGIC_TRY(set, mipPass.createSet("sky environment mip"));
-    set.sampled(0, environment.mipView(i), *clamped);
-    set.storageImage(1, environment.mipView(i + 1));
-    mipSets.push_back(std::move(set));
-  }
+  PELAGIC_TRY(filtered, sky::Environment::create(*context, radiance, *turning, *clamped, nullptr));
+  environment = std::move(filtered);
+  PELAGIC_TRY(layer, sky::Clouds::create(*context, *repeat));
+  clouds = std::move(layer);
   return {};
 }
 
-void Sky::Impl::recordAir(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept {
+void Sky::Impl::recordAir(vk::CommandBuffer commands, const shader::SkyPass& push, Timings* timings) noexcept {
   if (timings) timings->begin(commands, "sky air");
   gpu::Barrier barrier;
   barrier.image(transmittance, gpu::kComputeStorageWrite, true)
@@ -165,7 +115,7 @@ void Sky::Impl::recordAir(vk::CommandBuffer commands, const SkyPass& push, Timin
   if (timings) timings->end(commands);
 }
 
-void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const SkyPass& push, Timings* timings) noexcept {
+void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const shader::SkyPass& push, Timings* timings) noexcept {
   if (timings) timings->begin(commands, "sky radiance");
   gpu::Barrier barrier;
   barrier.image(clear, gpu::kComputeStorageWrite, true)
@@ -177,9 +127,10 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const SkyPass& push, 
   clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, shader::kClearSize / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*context, commands);
   lightStep.pass.bind(commands, lightStep.set);
-  lightStep.pass.push(commands, push);
+  // The sun that the clouds see is that of their middle.
+  lightStep.pass.push(commands, sky::passOf(state, state.clouds.base + 0.5 * state.clouds.thickness, 0));
   lightStep.pass.dispatch(commands, 1);
-  barrier.buffer(light, kLightRead).record(*context, commands);
+  barrier.buffer(light, sky::kLightRead).record(*context, commands);
   radianceStep.pass.bind(commands, radianceStep.set);
   radianceStep.pass.push(commands, push);
   radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
@@ -190,19 +141,15 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const SkyPass& push, 
 
 void Sky::Impl::recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept {
   if (timings) timings->begin(commands, "sky environment");
-  gpu::Barrier barrier;
-  barrier.image(environment, gpu::kComputeStorageWrite, true).record(*context, commands);
-  environmentStep.pass.bind(commands, environmentStep.set);
-  environmentStep.pass.dispatch(commands, shader::kEnvironmentSize / shader::kSkyTile,
-                                shader::kEnvironmentSize / shader::kSkyTile);
-  for (std::uint32_t i = 0; i < kEnvironmentMips; ++i) {
-    barrier.mip(environment, i, gpu::kComputeStorageWrite, kShaderRead).record(*context, commands);
-    if (i + 1 == kEnvironmentMips) break;
-    mipPass.bind(commands, mipSets[i]);
-    const std::uint32_t tiles = gpu::groups(shader::kEnvironmentSize >> (i + 1), shader::kSkyTile);
-    mipPass.dispatch(commands, tiles, tiles);
-  }
-  environment.state = kShaderRead;
+  environment.record(*context, commands);
+  if (timings) timings->end(commands);
+}
+
+void Sky::Impl::recordClouds(vk::CommandBuffer commands, Timings* timings) noexcept {
+  if (!cloudy()) return clouds.recordNone(*context, commands);
+  if (timings) timings->begin(commands, "sky cloud volume");
+  clouds.record(*context, commands, sky::cloudPassOf(state), cloudsChanged);
+  cloudsChanged = false;
   if (timings) timings->end(commands);
 }
 
@@ -226,23 +173,29 @@ Result<void> Sky::setState(const SkyState& state) {
   SkyState& now = impl_->state;
   impl_->airChanged |= state.haze != now.haze;
   impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
-                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast;
+                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast || state.clouds != now.clouds;
+  // They drift without being computed again.
+  CloudLayer moved = now.clouds;
+  moved.velocity = state.clouds.velocity;
+  impl_->cloudsChanged |= state.clouds != moved;
   now = state;
   return {};
 }
 
-void Sky::record(VkCommandBuffer commands, Timings* timings) noexcept {
+void Sky::record(VkCommandBuffer commands, double time, Timings* timings) noexcept {
+  impl_->time = time;
   if (!impl_->changed) return;
-  const SkyPass push = sky::passOf(impl_->state, 0, 0);
+  const shader::SkyPass push = sky::passOf(impl_->state, 0, 0);
   if (impl_->airChanged) impl_->recordAir(commands, push, timings);
   impl_->recordRadiance(commands, push, timings);
   impl_->recordEnvironment(commands, timings);
+  impl_->recordClouds(commands, timings);
   impl_->airChanged = impl_->changed = false;
   ++impl_->version;
 }
 
 SkyMaps Sky::maps() const noexcept {
-  return {impl_->radiance.map(), impl_->environment.map(), impl_->light.handle(), impl_->light.size()};
+  return {impl_->radiance.map(), impl_->environment.image.map(), impl_->light.handle(), impl_->light.size(), {}, {}};
 }
 
 }  // namespace pelagic

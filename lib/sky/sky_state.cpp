@@ -23,7 +23,12 @@ Result<void> validate(const SkyState& state) {
   const Field fields[] = {{"sunElevation", state.sunElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
                           {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
                           {"overcast", state.overcast, 0, 1, "0 to 1"},
-                          {"haze", state.haze, 0, 20, "0 to 20"}};
+                          {"haze", state.haze, 0, 20, "0 to 20"},
+                          {"clouds.cover", state.clouds.cover, 0, 1, "0 to 1"},
+                          {"clouds.base", state.clouds.base, 100, 8000, "100 to 8000 m"},
+                          {"clouds.thickness", state.clouds.thickness, 50, 4000, "50 to 4000 m"},
+                          {"clouds.velocity.x", state.clouds.velocity.x, -100, 100, "-100 to 100 m/s"},
+                          {"clouds.velocity.y", state.clouds.velocity.y, -100, 100, "-100 to 100 m/s"}};
   for (const Field& field : fields) {
     // Written so that NaN fails.
     if (field.value >= field.low && field.value <= field.high) continue;

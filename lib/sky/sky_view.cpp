@@ -1,84 +1,232 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sky/sky_impl.hpp>
 
+#include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
 #include "sky_clear_comp.spv.hpp"
+#include "sky_cloud_dome_comp.spv.hpp"
+#include "sky_cloud_view_comp.spv.hpp"
 #include "sky_radiance_comp.spv.hpp"
+#include "sky_view_light_comp.spv.hpp"
 
 namespace pelagic {
 
 struct SkyView::Impl {
   const Sky::Impl* sky = nullptr;
-  gpu::Image clear, radiance;
-  sky::Step clearStep, radianceStep;
+  vk::Extent2D extent;  ///< Of the view.
+  gpu::Image clear, radiance, dome, clouds;
+  gpu::Buffer light;
+  sky::Step clearStep, radianceStep, domeStep, cloudStep, lightStep;
+  sky::Environment environment;
   std::uint64_t version = 0;  ///< Of the sky's state in the maps; 0: none yet.
   double altitude = std::numeric_limits<double>::quiet_NaN();
+  bool cleared = false;  ///< The picture of the clouds holds none.
+
+  Result<void> createImages();
+  Result<void> createAir();
+  Result<void> createClouds();
+  shader::CloudView cloudView(const Camera& camera) const noexcept;
+  void recordAir(vk::CommandBuffer commands) noexcept;
+  void recordClouds(vk::CommandBuffer commands, const shader::CloudView& push) noexcept;
+  void recordLight(vk::CommandBuffer commands, const shader::CloudView& push) noexcept;
 };
+
+namespace {
+
+using Type = vk::DescriptorType;
+
+vk::Extent2D cloudExtent(vk::Extent2D view) {
+  return {gpu::groups(view.width, shader::kCloudPixels), gpu::groups(view.height, shader::kCloudPixels)};
+}
+
+}  // namespace
 
 SkyView::SkyView(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 SkyView::SkyView(SkyView&&) noexcept = default;
 SkyView& SkyView::operator=(SkyView&&) noexcept = default;
 SkyView::~SkyView() = default;
 
-Result<SkyView> SkyView::create(const Sky& sky) {
-  const Sky::Impl& air = *sky.impl_;
-  gpu::Context& context = *air.context;
+Result<SkyView> SkyView::create(const Sky& sky, VkExtent2D extent) {
+  constexpr std::uint32_t kMost = 16384;
+  if (extent.width < 1 || extent.height < 1 || extent.width > kMost || extent.height > kMost) {
+    return gpu::reject("SkyView's extent is " + std::to_string(extent.width) + " x " + std::to_string(extent.height) +
+                       ", it must be 1 to 16384 each");
+  }
   auto impl = std::make_unique<Impl>();
-  impl->sky = &air;
-  PELAGIC_TRY(clear,
-              sky::createMap(context, "sky view clear", shader::kClearSize, shader::kAirRows + shader::kClearSize));
-  impl->clear = std::move(clear);
-  PELAGIC_TRY(radiance, sky::createMap(context, "sky view radiance", shader::kRadianceWidth, shader::kRadianceHeight));
-  impl->radiance = std::move(radiance);
-  const auto sampled = vk::DescriptorType::eCombinedImageSampler, storage = vk::DescriptorType::eStorageImage,
-             buffer = vk::DescriptorType::eStorageBuffer;
-  PELAGIC_TRY(clearStep,
-              sky::createStep(context, "sky view clear", shaders::sky_clear_comp, {sampled, buffer, storage}));
-  impl->clearStep = std::move(clearStep);
-  impl->clearStep.set.sampled(0, air.transmittance.view(), *air.clamped);
-  impl->clearStep.set.buffer(1, air.scattering.handle());
-  impl->clearStep.set.storageImage(2, impl->clear.mipView(0));
-  PELAGIC_TRY(radianceStep,
-              sky::createStep(context, "sky view radiance", shaders::sky_radiance_comp, {sampled, buffer, storage}));
-  impl->radianceStep = std::move(radianceStep);
-  impl->radianceStep.set.sampled(0, impl->clear.view(), *air.clamped);
-  impl->radianceStep.set.buffer(1, air.light.handle());
-  impl->radianceStep.set.storageImage(2, impl->radiance.mipView(0));
+  impl->sky = sky.impl_.get();
+  impl->extent = extent;
+  PELAGIC_CHECK(impl->createImages());
+  PELAGIC_CHECK(impl->createAir());
+  PELAGIC_CHECK(impl->createClouds());
   return SkyView(std::move(impl));
 }
 
-void SkyView::record(VkCommandBuffer commandBuffer, double altitude, Timings* timings) noexcept {
+Result<void> SkyView::Impl::createImages() {
+  gpu::Context& context = *sky->context;
+  const auto image = [&](gpu::Image& target, std::string_view name, vk::Extent2D size) -> Result<void> {
+    PELAGIC_TRY(created, sky::createMap(context, name, size));
+    target = std::move(created);
+    return {};
+  };
+  PELAGIC_CHECK(image(clear, "sky view clear", {shader::kClearSize, shader::kAirRows + shader::kClearSize}));
+  PELAGIC_CHECK(image(radiance, "sky view radiance", {shader::kRadianceWidth, shader::kRadianceHeight}));
+  PELAGIC_CHECK(image(dome, "sky view dome", {shader::kDomeSize, shader::kDomeSize}));
+  PELAGIC_CHECK(image(clouds, "sky view clouds", cloudExtent(extent)));
+  PELAGIC_TRY(block, sky::createLight(context, "sky view light"));
+  light = std::move(block);
+  return {};
+}
+
+Result<void> SkyView::Impl::createAir() {
+  gpu::Context& context = *sky->context;
+  const Type sampled = Type::eCombinedImageSampler, storage = Type::eStorageImage, buffer = Type::eStorageBuffer;
+  const auto create = [&](sky::Step& target, std::string_view name,
+                          std::span<const std::uint32_t> code) -> Result<void> {
+    PELAGIC_TRY(step, sky::createStep(context, name, code, {sampled, buffer, storage}, sizeof(shader::SkyPass)));
+    target = std::move(step);
+    return {};
+  };
+  PELAGIC_CHECK(create(clearStep, "sky view clear", shaders::sky_clear_comp));
+  clearStep.set.sampled(0, sky->transmittance.view(), *sky->clamped);
+  clearStep.set.buffer(1, sky->scattering.handle());
+  clearStep.set.storageImage(2, clear.mipView(0));
+  PELAGIC_CHECK(create(radianceStep, "sky view radiance", shaders::sky_radiance_comp));
+  radianceStep.set.sampled(0, clear.view(), *sky->clamped);
+  radianceStep.set.buffer(1, sky->light.handle());
+  radianceStep.set.storageImage(2, radiance.mipView(0));
+  return {};
+}
+
+Result<void> SkyView::Impl::createClouds() {
+  gpu::Context& context = *sky->context;
+  const Type sampled = Type::eCombinedImageSampler, storage = Type::eStorageImage, buffer = Type::eStorageBuffer;
+  const auto create = [&](sky::Step& target, std::string_view name, std::span<const std::uint32_t> code,
+                          const gpu::Image& air, const gpu::Image& output) -> Result<void> {
+    PELAGIC_TRY(step, sky::createStep(context, name, code, {sampled, sampled, sampled, Type::eUniformBuffer, storage},
+                                      sizeof(shader::CloudView)));
+    step.set.sampled(0, sky->clouds.volume.view(), *sky->repeat);
+    step.set.sampled(1, sky->clouds.detail.view(), *sky->repeat);
+    step.set.sampled(2, air.view(), *sky->turning);
+    step.set.buffer(3, sky->light.handle());
+    step.set.storageImage(4, output.mipView(0));
+    target = std::move(step);
+    return {};
+  };
+  PELAGIC_CHECK(create(domeStep, "sky view dome", shaders::sky_cloud_dome_comp, sky->radiance, dome));
+  PELAGIC_CHECK(create(cloudStep, "sky view clouds", shaders::sky_cloud_view_comp, radiance, clouds));
+  PELAGIC_TRY(filtered, sky::Environment::create(context, sky->radiance, *sky->turning, *sky->clamped, &dome));
+  environment = std::move(filtered);
+  PELAGIC_TRY(step, sky::createStep(context, "sky view light", shaders::sky_view_light_comp, {sampled, buffer, buffer},
+                                    sizeof(shader::CloudView)));
+  step.set.sampled(0, environment.image.view(), *sky->clamped);
+  step.set.buffer(1, sky->light.handle());
+  step.set.buffer(2, light.handle());
+  lightStep = std::move(step);
+  return {};
+}
+
+shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept {
+  const CloudLayer& layer = sky->state.clouds;
+  const PixelRays rays = pixelRays(camera, extent);
+  constexpr double kPixels = shader::kCloudPixels, kTile = static_cast<double>(shader::kCloudTile);
+  shader::CloudView view{};
+  view.ray = glm::vec4(glm::dvec4(rays.origin + 0.5 * (kPixels - 1) * (rays.right + rays.down), altitude));
+  view.rayX = glm::vec4(glm::dvec4(kPixels * rays.right, layer.base));
+  view.rayY = glm::vec4(glm::dvec4(kPixels * rays.down, layer.base + layer.thickness));
+  // In double precision: eye and time may be far.
+  const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - layer.velocity * sky->time) / kTile;
+  view.place = glm::vec2(place - glm::floor(place));
+  view.edge = shader::horizonElevation(static_cast<float>(altitude));
+  view.cover = static_cast<float>(layer.cover);
+  view.width = clouds.info().extent.width;
+  view.height = clouds.info().extent.height;
+  return view;
+}
+
+void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
+  const shader::SkyPass push = sky::passOf(sky->state, altitude, shader::kAirRows);
+  gpu::Barrier barrier;
+  barrier.image(clear, gpu::kComputeStorageWrite, true)
+      .image(radiance, gpu::kComputeStorageWrite, true)
+      .record(*sky->context, commands);
+  clearStep.pass.bind(commands, clearStep.set);
+  clearStep.pass.push(commands, push);
+  clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile,
+                          (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
+  barrier.image(clear, gpu::kComputeSampled).record(*sky->context, commands);
+  radianceStep.pass.bind(commands, radianceStep.set);
+  radianceStep.pass.push(commands, push);
+  radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
+                             shader::kRadianceHeight / shader::kSkyTile);
+  barrier.image(radiance, kShaderRead).record(*sky->context, commands);
+}
+
+void SkyView::Impl::recordClouds(vk::CommandBuffer commands, const shader::CloudView& push) noexcept {
+  const gpu::Context& context = *sky->context;
+  gpu::Barrier barrier;
+  barrier.image(dome, gpu::kComputeStorageWrite, true)
+      .image(clouds, gpu::kComputeStorageWrite, true)
+      .record(context, commands);
+  domeStep.pass.bind(commands, domeStep.set);
+  domeStep.pass.push(commands, push);
+  domeStep.pass.dispatch(commands, shader::kDomeSize / shader::kSkyTile, shader::kDomeSize / shader::kSkyTile);
+  cloudStep.pass.bind(commands, cloudStep.set);
+  cloudStep.pass.push(commands, push);
+  cloudStep.pass.dispatch(commands, gpu::groups(push.width, shader::kSkyTile),
+                          gpu::groups(push.height, shader::kSkyTile));
+  barrier.image(dome, gpu::kComputeSampled).image(clouds, kShaderRead).record(context, commands);
+  cleared = false;
+}
+
+void SkyView::Impl::recordLight(vk::CommandBuffer commands, const shader::CloudView& push) noexcept {
+  environment.record(*sky->context, commands);
+  gpu::Barrier().buffer(light, gpu::kComputeWrite).record(*sky->context, commands);
+  lightStep.pass.bind(commands, lightStep.set);
+  lightStep.pass.push(commands, push);
+  lightStep.pass.dispatch(commands, 1);
+  gpu::Barrier().buffer(light, sky::kLightRead).record(*sky->context, commands);
+}
+
+void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timings* timings) noexcept {
   Impl& view = *impl_;
+  const gpu::Context& context = *view.sky->context;
+  const vk::CommandBuffer commands(commandBuffer);
   // The densities' shortest scale is 1200 m: nothing changes within a metre, and below the sea the sky is that of its
   // level.
-  const double height = std::clamp(std::round(altitude), 0.0, 0.99 * static_cast<double>(shader::kAirTop));
-  if (view.version == view.sky->version && view.altitude == height) return;
+  constexpr double kHighest = 0.99 * static_cast<double>(shader::kAirTop);
+  const double height = std::clamp(std::round(camera.position.y), 0.0, kHighest);
+  const bool changed = view.version != view.sky->version, moved = changed || view.altitude != height;
   view.version = view.sky->version;
   view.altitude = height;
-  const vk::CommandBuffer commands(commandBuffer);
-  const shader::SkyPass push = sky::passOf(view.sky->state, height, shader::kAirRows);
-  if (timings) timings->begin(commands, "sky view");
-  gpu::Barrier barrier;
-  barrier.image(view.clear, gpu::kComputeStorageWrite, true)
-      .image(view.radiance, gpu::kComputeStorageWrite, true)
-      .record(*view.sky->context, commands);
-  view.clearStep.pass.bind(commands, view.clearStep.set);
-  view.clearStep.pass.push(commands, push);
-  view.clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile,
-                               (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
-  barrier.image(view.clear, gpu::kComputeSampled).record(*view.sky->context, commands);
-  view.radianceStep.pass.bind(commands, view.radianceStep.set);
-  view.radianceStep.pass.push(commands, push);
-  view.radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
-                                  shader::kRadianceHeight / shader::kSkyTile);
-  barrier.image(view.radiance, kShaderRead).record(*view.sky->context, commands);
-  if (timings) timings->end(commands);
+  const auto measured = [&](const char* name, const auto& pass) {
+    if (timings) timings->begin(commandBuffer, name);
+    pass();
+    if (timings) timings->end(commandBuffer);
+  };
+  if (moved) measured("sky view", [&] { view.recordAir(commands); });
+  const shader::CloudView push = view.cloudView(camera);
+  if (view.sky->cloudy()) {
+    measured("sky clouds", [&] { view.recordClouds(commands, push); });
+  } else if (!view.cleared) {
+    const auto none = [&](gpu::Image& image) {
+      gpu::Barrier().image(image, gpu::kTransferDestination, true).record(context, commands);
+      commands.clearColorImage(image.handle(), vk::ImageLayout::eTransferDstOptimal,
+                               vk::ClearColorValue(0.0f, 0.0f, 0.0f, 1.0f), image.range(), context.dispatch);
+      gpu::Barrier().image(image, kShaderRead).record(context, commands);
+    };
+    none(view.dome);
+    none(view.clouds);
+    view.cleared = true;
+  }
+  if (changed || view.sky->cloudy()) measured("sky view light", [&] { view.recordLight(commands, push); });
 }
 
 SkyMaps SkyView::maps() const noexcept {
-  const Sky::Impl& sky = *impl_->sky;
-  return {impl_->radiance.map(), sky.environment.map(), sky.light.handle(), sky.light.size()};
+  const Impl& view = *impl_;
+  return {view.radiance.map(), view.environment.image.map(), view.light.handle(), view.light.size(),
+          view.clouds.map(),   view.sky->clouds.shadow.map()};
 }
 
 }  // namespace pelagic

@@ -8,6 +8,7 @@ layout(constant_id = 0) const bool kHasHost = false;
 layout(constant_id = 1) const bool kHasNormal = false;
 layout(constant_id = 2) const bool kHasSlopeVariance = false;
 layout(constant_id = 3) const bool kHasMergedDepth = false;
+layout(constant_id = 6) const bool kHasClouds = false;
 
 layout(binding = 0, std140) uniform Frame { CompositeFrame frame; };
 layout(binding = 2, std140) uniform Light { SkyLight light; };
@@ -26,6 +27,8 @@ layout(binding = 14) uniform writeonly image2D normalImage;
 layout(binding = 15) uniform writeonly image2D slopeVarianceImage;
 layout(binding = 16) uniform writeonly image2D mergedDepthImage;
 layout(binding = 18) uniform sampler2DArray gainMap;
+layout(binding = 21) uniform sampler2D cloudPicture;
+layout(binding = 22) uniform sampler2D cloudShadow;
 layout(binding = 17, std430) readonly buffer Fresnel { float fresnelTable[]; };
 
 // Largest value written: half floats end at 65504.

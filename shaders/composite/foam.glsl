@@ -1,7 +1,7 @@
 // Foam: a dense core where a crest breaks, torn to lace and drawn out along the wind as it ages.
 #ifndef PELAGIC_COMPOSITE_FOAM_GLSL
 #define PELAGIC_COMPOSITE_FOAM_GLSL
-#include "composite/noise.glsl"
+#include "physics/noise.glsl"
 
 // The foam's texture: a field of ridges that close into cells, so that what stands above a high level is lace.
 struct FoamPattern {

@@ -53,11 +53,11 @@ vec3 crestLight(SeaPoint sea, vec3 v, vec3 l, vec3 behind) {
   return behind * (0.35 * sharp * against) * mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
 }
 
-// Radiance of the sea without foam toward v; v and l in the level frame of the point. `horizon`: the sky's radiance at the
-// horizon beyond the point.
-vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
+// Radiance of the sea without foam toward v; v and l in the level frame of the point. `sunlight`: irradiance of the sun on a
+// plane facing it. `horizon`: the sky's radiance at the horizon beyond the point.
+vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 horizon) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
-  vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(light.sunIrradiance.rgb, light.sunDirection.y,
+  vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(sunlight, light.sunDirection.y,
                                                           light.skyIrradiance.rgb);
 
   float deviation = seen.deviation * inversesqrt(max(dot(v.xz, v.xz), 1e-6)) * sea.normal.y;
@@ -78,7 +78,7 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 horizon) {
   Visibility lit = visibility(l, sea.slope, sea.residual);
   float glint = sunReflection(seen, lit, mirror, sea.slope, wide) * fresnelReflectance(cosIncidence, kWaterIndex);
   // No mirror is brighter than the sun.
-  vec3 sun = min(light.sunIrradiance.rgb * glint, light.sunRadiance.rgb);
+  vec3 sun = min(sunlight * glint, light.sunRadiance.rgb);
 
   return fresnel * reflected + sun + (1.0 - fresnel) * (under + crestLight(sea, v, l, horizon));
 }

@@ -2,7 +2,7 @@
 #ifndef PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #define PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #include "composite/footprint.glsl"
-#include "composite/noise.glsl"
+#include "physics/noise.glsl"
 #include "pelagic/shader/wave_lookup.glsl"
 #include "pelagic/shader/wave_gain.glsl"
 

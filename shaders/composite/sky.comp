@@ -12,7 +12,9 @@ void main() {
   vec3 ray = pixelRay(tile.pixel);
   float inverseLength = inversesqrt(dot(ray, ray));
   vec3 d = ray * inverseLength;
+  vec4 clouds = cloudsBefore(tile.pixel);
   vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, frame.waterAlbedo.w * inverseLength);
+  radiance = radiance * clouds.a + clouds.rgb;
   float depth = frame.rayY.w;
   if (kHasHost) {
     Pixel pixel = readPixel(tile.pixel);

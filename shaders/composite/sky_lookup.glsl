@@ -22,6 +22,12 @@ vec3 skyRadiance(vec2 place) { return textureLod(radianceMap, place, 0.0).rgb; }
 // Of the horizon at the same azimuth.
 vec3 horizonRadiance(vec2 place) { return skyRadiance(vec2(place.x, 0.5 + 0.5 / float(textureSize(radianceMap, 0).y))); }
 
+// Light of the clouds that a pixel shows, and the transmittance for what is behind them.
+vec4 cloudsBefore(ivec2 pixel) {
+  if (!kHasClouds) return vec4(0, 0, 0, 1);
+  return textureLod(cloudPicture, (vec2(pixel) + 0.5) / (3.0 * vec2(textureSize(cloudPicture, 0))), 0.0);
+}
+
 // The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance; its edge
 // is softened over a pixel of the angular size `pixel` [rad].
 vec3 sunDisc(vec3 d, float pixel) {

@@ -18,6 +18,13 @@ vec3 airTransmittance(float distance) {
   return exp(-extinction * distance);
 }
 
+// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m].
+float sunThroughClouds(vec2 p, float side) {
+  if (!kHasClouds) return 1.0;
+  float lod = log2(max(side * light.cloudPlace.z * float(textureSize(cloudShadow, 0).x), 1.0));
+  return textureLod(cloudShadow, light.cloudPlace.xy + p * light.cloudPlace.z, lod).r;
+}
+
 // A direction in the level frame of a point that lies p [m] from the eye: the Earth's curvature tilts the vertical.
 vec3 levelled(vec3 d, vec2 p) {
   vec2 tilt = p / kEarthRadius;
@@ -58,18 +65,25 @@ void main() {
     float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
     float side = footprintSide(across, across / max(along, across));
     SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
-    radiance = seaRadiance(sea, v, l, horizonRadiance(place));
+    vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
+    radiance = seaRadiance(sea, v, l, sun, horizonRadiance(place));
     normal.xyz = sea.normal;
     if (kFoaming) {
       Foam foam = foamAt(sea.foam, p, side);
-      vec3 foamLight = light.sunIrradiance.rgb * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
+      vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
       radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
       normal.w = foam.cover;
     }
     radiance = mix(beyond, radiance, airTransmittance(away));
     variance = sea.residual.xy;
+    // Clouds hide the sea from an eye above them.
+    if (kHasClouds && frame.absorption.w > light.cloudPlace.w) {
+      vec4 clouds = cloudsBefore(tile.pixel);
+      radiance = radiance * clouds.a + clouds.rgb;
+    }
   } else {
-    radiance += sunDisc(d, frame.waterAlbedo.w / rayLength);
+    vec4 clouds = cloudsBefore(tile.pixel);
+    radiance = (radiance + sunDisc(d, frame.waterAlbedo.w / rayLength)) * clouds.a + clouds.rgb;
   }
   if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
 

@@ -9,14 +9,22 @@ PELAGIC_SHADER_CONSTANT uint kTransmittanceWidth = 256;
 PELAGIC_SHADER_CONSTANT uint kTransmittanceHeight = 64;
 PELAGIC_SHADER_CONSTANT uint kScatteringWidth = 64;   // over the sun's elevation
 PELAGIC_SHADER_CONSTANT uint kScatteringHeight = 16;  // over altitude
-// Clear sky relative to the sun: u = sqrt(azimuth from the sun / pi), in the upper kClearSize rows v = sqrt of the elevation
-// over the eye's horizon as a part of the way to the zenith; a view has rows below its horizon as well.
+// Clear sky relative to the sun: u = sqrt(azimuth from the sun / pi), in the upper kClearSize rows v = sqrt of the
+// elevation over the eye's horizon as a part of the way to the zenith; a view has rows below its horizon as well.
 PELAGIC_SHADER_CONSTANT uint kClearSize = 128;
 PELAGIC_SHADER_CONSTANT uint kAirRows = 32;
 PELAGIC_SHADER_CONSTANT uint kRadianceWidth = 512;
 PELAGIC_SHADER_CONSTANT uint kRadianceHeight = 256;
 PELAGIC_SHADER_CONSTANT uint kEnvironmentSize = 256;
 PELAGIC_SHADER_CONSTANT uint kSkyTile = 8;  // side of a work-group that writes a map
+// The clouds' volume: cells along x and z of a tile that repeats, and layers from base to top.
+PELAGIC_SHADER_CONSTANT uint kCloudCells = 256;
+PELAGIC_SHADER_CONSTANT uint kCloudLayers = 32;
+PELAGIC_SHADER_CONSTANT float kCloudTile = 15360.0f;      // [m]
+PELAGIC_SHADER_CONSTANT uint kCloudDetail = 32;           // texels along a side of the detail's cube
+PELAGIC_SHADER_CONSTANT float kCloudDetailTile = 480.0f;  // its side [m], a whole part of kCloudTile
+PELAGIC_SHADER_CONSTANT uint kDomeSize = 96;              // side of the clouds' stereographic map
+PELAGIC_SHADER_CONSTANT uint kCloudPixels = 3;            // pixels of a view along a side of one of its clouds' pixels
 
 // Push constants of all passes.
 struct SkyPass {
@@ -29,6 +37,28 @@ struct SkyPass {
   float edge;         // elevation of the eye's horizon [rad], <= 0
   uint airRows;       // rows below the horizon: 0, or kAirRows in the maps of a view
   uint padding;
+};
+
+// Push constants of the passes that make the volume.
+struct CloudPass {
+  vec4 sunDirection;  // xyz toward the sun (world)
+  float base;         // altitude [m]
+  float thickness;    // [m]
+  float threshold;    // of a standard normal field above which there are clouds
+  uint seed;
+};
+
+// Of the passes that look at it. The direction through a pixel is ray + x rayX + y rayY; the dome's pixels are its own.
+struct CloudView {
+  vec4 ray;    // w: eye's altitude [m]
+  vec4 rayX;   // w: altitude of the clouds' base [m]
+  vec4 rayY;   // w: of their top
+  vec2 place;  // of the eye in the tile [tiles]
+  float edge;  // elevation of the eye's horizon [rad]
+  float cover;
+  uint width;  // of the clouds' picture [px]
+  uint height;
+  vec2 padding;
 };
 
 PELAGIC_SHADER_END

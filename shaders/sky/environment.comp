@@ -9,6 +9,8 @@
 layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;
 layout(binding = 0) uniform sampler2D radiance;
 layout(binding = 1) writeonly uniform image2D environment;
+layout(binding = 2) uniform sampler2D dome;  // clouds, cloud_dome.comp
+layout(constant_id = 0) const bool kClouds = false;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -19,5 +21,9 @@ void main() {
   vec2 q = p / kEnvironmentScale;
   vec3 direction = vec3(2.0 * q.x, 1.0 - dot(q, q), 2.0 * q.y) / (1.0 + dot(q, q));
   vec3 light = textureLod(radiance, skyUv(direction), 0).rgb;
+  if (kClouds) {
+    vec4 clouds = textureLod(dome, (vec2(texel) + 0.5) / size, 0);
+    light = light * clouds.a + clouds.rgb;
+  }
   imageStore(environment, texel, vec4(light, 1) * coverage);
 }

@@ -54,6 +54,11 @@ void writeLight(vec3 clearSky) {
   light.mieExtinction = vec4(kMieExtinction * pass.haze, kMieHeight);
   // The CIE overcast sky gives 7 pi/9 of its zenith's radiance.
   light.cloudZenith = vec4(cloudy * (9.0 / (7.0 * kAirPi)), 0);
+  // Clouds see the sun a little longer than the sea does.
+  float mu = sin(elevation);
+  vec3 above = exp(-airOpticalDepth(pass.altitude, max(mu, horizonCosine(pass.altitude)), pass.haze, 64));
+  light.cloudSun = vec4(above * (open * pass.gain * sunVisibility(pass.altitude, mu)), 0);
+  light.cloudPlace = vec4(0, 0, 0, 1e9);
 }
 
 void main() {

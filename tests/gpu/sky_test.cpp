@@ -63,7 +63,7 @@ class SkyTest : public support::GpuTest {
   }
   Picture draw(pelagic::Sky& sky, const pelagic::SkyState& state) {
     if (const auto set = sky.setState(state); !set) throw std::runtime_error(set.error().message);
-    gpu().run([&](vk::CommandBuffer commands) { sky.record(commands); });
+    gpu().run([&](vk::CommandBuffer commands) { sky.record(commands, 0); });
     Picture picture;
     picture.radiance = read(sky.maps().radiance);
     picture.environment = read(sky.maps().environment);
@@ -381,7 +381,7 @@ TEST_F(SkyTest, UnchangedStateRecordsNothing) {
   const auto passes = [&] {
     gpu().run([&](vk::CommandBuffer commands) {
       timings->reset(commands);
-      sky.record(commands, &*timings);
+      sky.record(commands, 0, &*timings);
     });
     return timings->read()->size();
   };

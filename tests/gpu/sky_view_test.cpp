@@ -24,6 +24,12 @@ class SkyViewTest : public support::GpuTest {
   Map read(const pelagic::MapView& map) {
     return {common::readFloats(gpu(), map, 0), static_cast<int>(map.extent.width), static_cast<int>(map.extent.height)};
   }
+  static pelagic::Camera camera(double altitude) {
+    pelagic::Camera camera;
+    camera.position = {0, altitude, 0};
+    camera.projection = glm::mat4(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0);
+    return camera;
+  }
   struct Pair {
     pelagic::Sky sky;
     pelagic::SkyView view;
@@ -31,14 +37,14 @@ class SkyViewTest : public support::GpuTest {
   Pair create(const pelagic::SkyState& state) {
     auto sky = pelagic::Sky::create(device(), state);
     if (!sky) throw std::runtime_error(sky.error().message);
-    auto view = pelagic::SkyView::create(*sky);
+    auto view = pelagic::SkyView::create(*sky, {64, 64});
     if (!view) throw std::runtime_error(view.error().message);
     return {std::move(*sky), std::move(*view)};
   }
   Map draw(Pair& pair, double altitude) {
     gpu().run([&](vk::CommandBuffer commands) {
-      pair.sky.record(commands);
-      pair.view.record(commands, altitude);
+      pair.sky.record(commands, 0);
+      pair.view.record(commands, camera(altitude));
     });
     return read(pair.view.maps().radiance);
   }
@@ -46,7 +52,7 @@ class SkyViewTest : public support::GpuTest {
 
 TEST_F(SkyViewTest, FromSeaLevelTheSkyIsTheSkys) {
   for (const double overcast : {0.0, 0.6}) {
-    Pair pair = create({0.3, 1.0, overcast, 2});
+    Pair pair = create({0.3, 1.0, overcast, 2, {}});
     const Map view = draw(pair, 0), sky = read(pair.sky.maps().radiance);
     for (int y = sky.height / 2; y < sky.height; y += 3) {
       for (int x = 0; x < sky.width; x += 7) {
@@ -62,7 +68,7 @@ TEST_F(SkyViewTest, FromSeaLevelTheSkyIsTheSkys) {
 /// often adds a tenth or two.
 TEST_F(SkyViewTest, AirBelowTheEyeIsScatteringOnceAndALittleMore) {
   const double sun = radians(60), ms = std::sin(sun);
-  Pair pair = create({sun, 0, 0, 0});
+  Pair pair = create({sun, 0, 0, 0, {}});
   for (const double altitude : {100.0, 3000.0, 9000.0}) {
     const Map map = draw(pair, altitude);
     const double edge = -std::acos(6371e3 / (6371e3 + altitude));
@@ -84,7 +90,7 @@ TEST_F(SkyViewTest, AirBelowTheEyeIsScatteringOnceAndALittleMore) {
 }
 
 TEST_F(SkyViewTest, TheZenithDarkensWithAltitude) {
-  Pair pair = create({radians(40), 0, 0, 1});
+  Pair pair = create({radians(40), 0, 0, 1, {}});
   const glm::dvec3 low = draw(pair, 3).at(100, 255), high = draw(pair, 10e3).at(100, 255);
   EXPECT_NEAR(high.g / low.g, std::exp(-10.0 / 8), 0.15);
   // But where the eye looks through all of the air along the sea it is bright.
@@ -98,16 +104,16 @@ TEST_F(SkyViewTest, UnchangedRecordsNothing) {
   const auto passes = [&](double altitude) {
     gpu().run([&](vk::CommandBuffer commands) {
       timings->reset(commands);
-      pair.sky.record(commands);
-      pair.view.record(commands, altitude, &*timings);
+      pair.sky.record(commands, 0);
+      pair.view.record(commands, camera(altitude), &*timings);
     });
     return timings->read()->size();
   };
-  EXPECT_EQ(passes(3), 1u);
+  EXPECT_EQ(passes(3), 2u);
   EXPECT_EQ(passes(3.2), 0u);
   EXPECT_EQ(passes(4), 1u);
-  ASSERT_TRUE(pair.sky.setState({0.2, 0, 0, 1}));
-  EXPECT_EQ(passes(4), 1u);
+  ASSERT_TRUE(pair.sky.setState({0.2, 0, 0, 1, {}}));
+  EXPECT_EQ(passes(4), 2u);
   EXPECT_EQ(passes(-20), 1u);
   EXPECT_EQ(passes(-30), 0u) << "below the sea the sky is that of its level";
 }

@@ -18,6 +18,8 @@ struct SkyLight {
   vec4 rayleighExtinction;  // rgb at sea level [1/m], w scale height [m]
   vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
   vec4 cloudZenith;         // rgb radiance at the zenith of the overcast sky's share
+  vec4 cloudSun;            // rgb irradiance on a plane facing the sun at the clouds' altitude
+  vec4 cloudPlace;  // xy place of the eye in the clouds' shadow [tiles], z tiles per metre, w base of the clouds [m]
 };
 
 PELAGIC_SHADER_END

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <gpu/barrier.hpp>
+#include <sky/clouds.hpp>
+
+#include "sky_cloud_detail_comp.spv.hpp"
+#include "sky_cloud_light_comp.spv.hpp"
+#include "sky_cloud_shadow_comp.spv.hpp"
+#include "sky_cloud_shape_comp.spv.hpp"
+#include "sky_environment_mip_comp.spv.hpp"
+
+namespace pelagic::sky {
+namespace {
+
+using shader::CloudPass;
+constexpr vk::Extent2D kCells(shader::kCloudCells, shader::kCloudCells);
+constexpr std::uint32_t kGroups = shader::kCloudCells / shader::kSkyTile;
+constexpr std::uint32_t kShadowMips = std::bit_width(shader::kCloudCells);
+
+/// Standard normal value that a share `p` of all exceeds, by bisection: no part of <cmath> inverts erfc.
+double upperQuantile(double p) {
+  double low = -6, high = 6;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(middle / std::sqrt(2.0)) > p ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+CloudPass cloudPassOf(const SkyState& state) noexcept {
+  const double side = std::cos(state.sunElevation);
+  CloudPass pass{};
+  pass.sunDirection =
+      glm::vec4(side * std::cos(state.sunAzimuth), std::sin(state.sunElevation), side * std::sin(state.sunAzimuth), 0);
+  pass.base = static_cast<float>(state.clouds.base);
+  pass.thickness = static_cast<float>(state.clouds.thickness);
+  pass.threshold = static_cast<float>(std::clamp(upperQuantile(state.clouds.cover), -3.0, 3.0));
+  pass.seed = state.clouds.seed;
+  return pass;
+}
+
+Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat) {
+  const auto sampled = vk::DescriptorType::eCombinedImageSampler, storage = vk::DescriptorType::eStorageImage;
+  const auto half = vk::Format::eR16Sfloat;
+  Clouds result;
+  PELAGIC_TRY(field, createMap(context, "cloud field", kCells, 1, half, shader::kCloudLayers));
+  PELAGIC_TRY(volume, createMap(context, "cloud volume", kCells, 1, vk::Format::eR16G16Sfloat, shader::kCloudLayers));
+  PELAGIC_TRY(detail, createMap(context, "cloud detail", {shader::kCloudDetail, shader::kCloudDetail}, 1, half,
+                                shader::kCloudDetail));
+  PELAGIC_TRY(shadow, createMap(context, "cloud shadow", kCells, kShadowMips, half));
+  result.field_ = std::move(field);
+  result.volume = std::move(volume);
+  result.detail = std::move(detail);
+  result.shadow = std::move(shadow);
+
+  PELAGIC_TRY(shapeStep,
+              createStep(context, "cloud shape", shaders::sky_cloud_shape_comp, {storage}, sizeof(CloudPass)));
+  shapeStep.set.storageImage(0, result.field_.mipView(0));
+  PELAGIC_TRY(detailStep, createStep(context, "cloud detail", shaders::sky_cloud_detail_comp, {storage}, 0));
+  detailStep.set.storageImage(0, result.detail.mipView(0));
+  PELAGIC_TRY(lightStep,
+              createStep(context, "cloud light", shaders::sky_cloud_light_comp, {sampled, storage}, sizeof(CloudPass)));
+  lightStep.set.sampled(0, result.field_.view(), repeat);
+  lightStep.set.storageImage(1, result.volume.mipView(0));
+  PELAGIC_TRY(shadowStep, createStep(context, "cloud shadow", shaders::sky_cloud_shadow_comp, {sampled, storage},
+                                     sizeof(CloudPass)));
+  shadowStep.set.sampled(0, result.field_.view(), repeat);
+  shadowStep.set.storageImage(1, result.shadow.mipView(0));
+  result.shapeStep_ = std::move(shapeStep);
+  result.detailStep_ = std::move(detailStep);
+  result.lightStep_ = std::move(lightStep);
+  result.shadowStep_ = std::move(shadowStep);
+
+  const gpu::Binding bindings[] = {{0, sampled, 1}, {1, storage, 1}};
+  PELAGIC_TRY(
+      mip, gpu::ComputePass::create(context, {"cloud shadow mip", shaders::sky_environment_mip_comp, bindings, 0, {}}));
+  result.mipPass_ = std::move(mip);
+  for (std::uint32_t i = 0; i + 1 < kShadowMips; ++i) {
+    PELAGIC_TRY(set, result.mipPass_.createSet("cloud shadow mip"));
+    set.sampled(0, result.shadow.mipView(i), repeat);
+    set.storageImage(1, result.shadow.mipView(i + 1));
+    result.mipSets_.push_back(std::move(set));
+  }
+  return result;
+}
+
+void Clouds::recordShape(gpu::Context& context, vk::CommandBuffer commands, const CloudPass& push) noexcept {
+  gpu::Barrier barrier;
+  barrier.image(field_, gpu::kComputeStorageWrite, true);
+  if (!detailed_) barrier.image(detail, gpu::kComputeStorageWrite, true);
+  barrier.record(context, commands);
+  shapeStep_.pass.bind(commands, shapeStep_.set);
+  shapeStep_.pass.push(commands, push);
+  shapeStep_.pass.dispatch(commands, kGroups, kGroups, shader::kCloudLayers);
+  if (!detailed_) {
+    detailStep_.pass.bind(commands, detailStep_.set);
+    constexpr std::uint32_t kDetailGroups = shader::kCloudDetail / shader::kSkyTile;
+    detailStep_.pass.dispatch(commands, kDetailGroups, kDetailGroups, shader::kCloudDetail);
+    barrier.image(detail, kShaderRead);
+    detailed_ = true;
+  }
+  barrier.image(field_, gpu::kComputeSampled).record(context, commands);
+}
+
+void Clouds::record(gpu::Context& context, vk::CommandBuffer commands, const CloudPass& push, bool shape) noexcept {
+  if (shape) recordShape(context, commands, push);
+  gpu::Barrier barrier;
+  barrier.image(volume, gpu::kComputeStorageWrite, true)
+      .image(shadow, gpu::kComputeStorageWrite, true)
+      .record(context, commands);
+  lightStep_.pass.bind(commands, lightStep_.set);
+  lightStep_.pass.push(commands, push);
+  lightStep_.pass.dispatch(commands, kGroups, kGroups, shader::kCloudLayers);
+  shadowStep_.pass.bind(commands, shadowStep_.set);
+  shadowStep_.pass.push(commands, push);
+  shadowStep_.pass.dispatch(commands, kGroups, kGroups);
+  barrier.image(volume, kShaderRead);
+  for (std::uint32_t i = 0; i < kShadowMips; ++i) {
+    barrier.mip(shadow, i, gpu::kComputeStorageWrite, kShaderRead).record(context, commands);
+    if (i + 1 == kShadowMips) break;
+    mipPass_.bind(commands, mipSets_[i]);
+    const std::uint32_t tiles = gpu::groups(shader::kCloudCells >> (i + 1), shader::kSkyTile);
+    mipPass_.dispatch(commands, tiles, tiles);
+  }
+  shadow.state = kShaderRead;
+}
+
+void Clouds::recordNone(gpu::Context& context, vk::CommandBuffer commands) noexcept {
+  gpu::Barrier().image(shadow, gpu::kTransferDestination, true).record(context, commands);
+  commands.clearColorImage(shadow.handle(), vk::ImageLayout::eTransferDstOptimal,
+                           vk::ClearColorValue(1.0f, 1.0f, 1.0f, 1.0f), shadow.range(), context.dispatch);
+  gpu::Barrier().image(shadow, kShaderRead).record(context, commands);
+}
+
+}  // namespace pelagic::sky

@@ -1,0 +1,35 @@
+/// The clouds' volume and the shadow that they cast.
+#pragma once
+
+#include <shared/sky_pass.h>
+
+#include <pelagic/sky.hpp>
+#include <sky/step.hpp>
+#include <vector>
+
+namespace pelagic::sky {
+
+class Clouds {
+ public:
+  static Result<Clouds> create(gpu::Context& context, vk::Sampler repeat);
+  /// `shape`: the layer changed; else only the sun that lights it.
+  void record(gpu::Context& context, vk::CommandBuffer commands, const shader::CloudPass& push, bool shape) noexcept;
+  /// No clouds, no shadow.
+  void recordNone(gpu::Context& context, vk::CommandBuffer commands) noexcept;
+
+  gpu::Image volume;  ///< rg16f: field, fourth root of the sun's transmittance.
+  gpu::Image detail;  ///< r16f
+  gpu::Image shadow;  ///< r16f with mips.
+
+ private:
+  void recordShape(gpu::Context& context, vk::CommandBuffer commands, const shader::CloudPass& push) noexcept;
+  gpu::Image field_;
+  Step shapeStep_, detailStep_, lightStep_, shadowStep_;
+  gpu::ComputePass mipPass_;
+  std::vector<gpu::DescriptorSet> mipSets_;  ///< Element i writes mip i + 1 of the shadow.
+  bool detailed_ = false;
+};
+
+shader::CloudPass cloudPassOf(const SkyState& state) noexcept;
+
+}  // namespace pelagic::sky

@@ -1,0 +1,73 @@
+// A layer of clouds between two altitudes: where rays cross it, how dense it is and how it scatters light.
+// Compiles as GLSL and, through GLM, as C++. Metres, `mu` the cosine of a ray's zenith angle.
+#ifndef PELAGIC_PHYSICS_CLOUDS_GLSL
+#define PELAGIC_PHYSICS_CLOUDS_GLSL
+#include "physics/atmosphere.glsl"
+#include "physics/formula.h"
+
+PELAGIC_PHYSICS_BEGIN
+
+#ifdef __cplusplus
+using namespace pelagic::shader;  // NOLINT: the atmosphere's names
+#endif
+
+// Extinction where a cloud is dense [1/m]: cumulus of 100 drops of 8 um per cubic centimetre, 0.04.
+PELAGIC_FORMULA_CONSTANT float kCloudExtinction = 0.04f;
+// Longest way through the layer that is followed, in thicknesses; what lies beyond is behind clouds or haze.
+PELAGIC_FORMULA_CONSTANT float kCloudLongest = 20.0f;
+
+// Distance from the altitude h to the sphere of the altitude `shell` along a ray that climbs through it or starts inside
+// it; without cancellation.
+PELAGIC_FORMULA float distanceUpTo(float h, float shell, float mu) {
+  float b = (kEarthRadius + h) * mu;
+  float c = (shell - h) * (2.0f * kEarthRadius + shell + h);
+  float root = sqrt(max(b * b + c, 0.0f));
+  return b > 0.0f ? c / (root + b) : root - b;
+}
+
+// Distance from h down to the sphere of the altitude `shell` < h, negative when the ray misses it.
+PELAGIC_FORMULA float distanceDownTo(float h, float shell, float mu) {
+  float b = (kEarthRadius + h) * mu;
+  float c = (h - shell) * (2.0f * kEarthRadius + shell + h);
+  float discriminant = b * b - c;
+  if (mu >= 0.0f || discriminant < 0.0f) return -1.0f;
+  return c / (sqrt(discriminant) - b);
+}
+
+// Where a ray from the altitude h enters the layer and where it leaves it, first time through; equal where it misses it or
+// meets the sea before.
+PELAGIC_FORMULA vec2 cloudSpan(float h, float mu, float base, float top) {
+  vec2 span = vec2(0.0f);
+  if (h < base) {
+    if (distanceDownTo(max(h, 0.0f), 0.0f, mu) < 0.0f) span = vec2(distanceUpTo(h, base, mu), distanceUpTo(h, top, mu));
+  } else {
+    float entry = h > top ? distanceDownTo(h, top, mu) : 0.0f;
+    float down = distanceDownTo(h, base, mu);
+    if (entry >= 0.0f) span = vec2(entry, down >= 0.0f ? down : distanceUpTo(h, top, mu));
+  }
+  span.y = min(span.y, span.x + kCloudLongest * (top - base));
+  return span;
+}
+
+// Share of the densest cloud's extinction from the volume's field, whose 0 is the cloud's edge.
+PELAGIC_FORMULA float cloudDensity(float field) { return clamp(2.0f * field, 0.0f, 1.0f); }
+
+// Light toward the eye per irradiance of a sun whose light comes with the transmittance q^4 [1/sr], mu the cosine of the angle
+// between the directions of travel. Drops scatter forward (mean cosine 0.85); what is scattered again is taken as the same
+// light spread wider and taken less (Wrenninge et al. 2013), each order 3/4 of the one before, down to an even rest.
+PELAGIC_FORMULA float cloudScattering(float mu, float q) {
+  float q2 = q * q;
+  float once = 0.8f * henyeyGreenstein(mu, 0.85f) + 0.2f * henyeyGreenstein(mu, -0.2f);
+  float twice = 0.8f * henyeyGreenstein(mu, 0.5f) + 0.2f * henyeyGreenstein(mu, -0.1f);
+  return once * q2 * q2 + 0.75f * twice * q2 + (0.56f * q + 1.7f * sqrt(q)) / (4.0f * kAirPi);
+}
+
+// Mean density, relative to sea level, of an exponential atmosphere of scale height H between two altitudes [m].
+PELAGIC_FORMULA float meanDensityBetween(float a, float b, float scaleHeight) {
+  float x = (b - a) / scaleHeight;
+  float below = exp(-a / scaleHeight);
+  return abs(x) < 0.01f ? below * (1.0f - 0.5f * x) : below * (1.0f - exp(-x)) / x;
+}
+
+PELAGIC_PHYSICS_END
+#endif

@@ -1,0 +1,27 @@
+#version 460
+// The share of the sun's light that comes through the clouds to sea level, over one tile.
+#extension GL_GOOGLE_include_directive : require
+#include "physics/clouds.glsl"
+#include "shared/sky_pass.h"
+
+const int kSteps = 32;
+
+layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;
+layout(push_constant) uniform Push { CloudPass pass; };
+layout(binding = 0) uniform sampler3D field;
+layout(binding = 1) uniform writeonly image2D shadow;
+
+void main() {
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  vec2 p = (vec2(texel) + 0.5) / float(kCloudCells);
+  vec3 sun = pass.sunDirection.xyz;
+  // A sun at the horizon comes through many clouds: held where its way is 20 thicknesses long.
+  float climb = max(sun.y, 1.0 / kCloudLongest);
+  float depth = 0.0, step = pass.thickness / (climb * float(kSteps));
+  for (int i = 0; i < kSteps; ++i) {
+    float height = (float(i) + 0.5) / float(kSteps);
+    float t = (pass.base + height * pass.thickness) / climb;
+    depth += cloudDensity(textureLod(field, vec3(p + t * sun.xz / kCloudTile, height), 0).r) * step;
+  }
+  imageStore(shadow, texel, vec4(exp(-kCloudExtinction * depth), 0, 0, 0));
+}

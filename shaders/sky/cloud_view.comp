@@ -1,0 +1,31 @@
+#version 460
+// The clouds that a camera sees, at a part of its resolution.
+#extension GL_GOOGLE_include_directive : require
+#include "pelagic/shader/sky_light.h"
+#include "shared/sky_pass.h"
+
+layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;
+layout(push_constant) uniform Push { CloudView view; };
+layout(binding = 0) uniform sampler3D volume;
+layout(binding = 1) uniform sampler3D detail;
+layout(binding = 2) uniform sampler2D radiance;  // the view's
+layout(binding = 3, std140) uniform Light { SkyLight light; };
+layout(binding = 4) uniform writeonly image2D clouds;
+#include "shared/cloud_march.glsl"
+
+const int kSteps = 96;
+const float kFinest = 45.0;  // [m]
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= view.width || pixel.y >= view.height) return;
+  vec3 d = normalize(view.ray.xyz + float(pixel.x) * view.rayX.xyz + float(pixel.y) * view.rayY.xyz);
+  float side = length(d.xz), edge = view.edge * side;
+  // A pixel of the clouds' picture also serves the pixels of the sky that it hangs over the horizon with.
+  float pixelSize = length(view.rayY.xyz) / length(view.ray.xyz);
+  if (view.ray.w < view.rayX.w && d.y > edge - 2.0 * pixelSize) d = normalize(vec3(d.x, max(d.y, edge + 1e-3), d.z));
+  float row = skyRow(asin(clamp(d.y, -1.0, 1.0)), view.edge);
+  vec3 air = textureLod(radiance, vec2(atan(d.z, d.x) / (2.0 * kAirPi), row), 0).rgb;
+  CloudsSeen seen = cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, air, kFinest, kSteps);
+  imageStore(clouds, ivec2(pixel), vec4(seen.light, seen.transmittance));
+}

@@ -1,0 +1,196 @@
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <pelagic/sky.hpp>
+
+#include "pelagic/shader/sky_light.h"
+#include "shared/sky_pass.h"
+#include "support/gpu_test.hpp"
+
+namespace {
+
+namespace shader = pelagic::shader;
+constexpr double kPi = std::numbers::pi;
+
+class CloudsTest : public support::GpuTest {
+ protected:
+  static constexpr VkExtent2D kExtent{96, 96};
+
+  static pelagic::SkyState stateOf(double cover, double sunElevation = kPi / 2) {
+    pelagic::SkyState state;
+    state.sunElevation = sunElevation;
+    state.haze = 0;
+    state.clouds.cover = cover;
+    return state;
+  }
+  /// A narrow view straight up or down; x to the right of the picture, z down (up: mirrored).
+  static pelagic::Camera vertical(const glm::dvec3& eye, bool up, double angle = 0.2) {
+    pelagic::Camera camera;
+    camera.position = eye;
+    // Rows: right, up and back of the camera in the world.
+    const glm::dvec3 right(1, 0, 0), back(0, up ? -1 : 1, 0), head = glm::cross(back, right);
+    camera.rotation = glm::mat3(glm::transpose(glm::dmat3(right, head, back)));
+    const float f = static_cast<float>(1 / std::tan(angle / 2));
+    camera.projection = glm::mat4(f, 0, 0, 0, 0, -f, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0);
+    return camera;
+  }
+
+  struct Seen {
+    std::vector<float> clouds;  ///< Four a pixel of the clouds' picture.
+    VkExtent2D extent;
+    std::vector<float> shadow;  ///< One a texel.
+    std::vector<float> environment;
+    shader::SkyLight light, clearLight;
+    /// Mean of a channel over the picture.
+    double mean(std::size_t channel) const {
+      double sum = 0;
+      for (std::size_t i = channel; i < clouds.size(); i += 4) sum += clouds[i];
+      return 4 * sum / static_cast<double>(clouds.size());
+    }
+    double center(std::size_t channel) const {
+      return clouds[4 * (extent.height / 2 * extent.width + extent.width / 2) + channel];
+    }
+    double shadowAt(glm::dvec2 place) const {
+      place -= glm::floor(place);
+      const auto size = static_cast<double>(shader::kCloudCells);
+      const auto x = static_cast<std::size_t>(place.x * size), z = static_cast<std::size_t>(place.y * size);
+      return shadow[z * shader::kCloudCells + x];
+    }
+  };
+  Seen look(const pelagic::SkyState& state, const pelagic::Camera& camera, double time = 0) {
+    auto sky = pelagic::Sky::create(device(), state);
+    if (!sky) throw std::runtime_error(sky.error().message);
+    auto view = pelagic::SkyView::create(*sky, kExtent);
+    if (!view) throw std::runtime_error(view.error().message);
+    return look(*sky, *view, camera, time);
+  }
+  Seen look(pelagic::Sky& sky, pelagic::SkyView& view, const pelagic::Camera& camera, double time) {
+    gpu().run([&](vk::CommandBuffer commands) {
+      sky.record(commands, time);
+      view.record(commands, camera);
+    });
+    const pelagic::SkyMaps maps = view.maps();
+    Seen seen;
+    seen.clouds = common::readFloats(gpu(), maps.clouds, 0);
+    seen.extent = maps.clouds.extent;
+    seen.shadow = common::readFloats(gpu(), maps.cloudShadow, 0);
+    seen.environment = common::readFloats(gpu(), maps.environment, 0);
+    const auto read = [&](VkBuffer buffer, shader::SkyLight& light) {
+      std::memcpy(&light, common::readBuffer(gpu(), buffer, maps.lightSize).data(), sizeof(light));
+    };
+    read(maps.light, seen.light);
+    read(sky.maps().light, seen.clearLight);
+    return seen;
+  }
+};
+
+TEST_F(CloudsTest, CoverIsTheShareOfTheSkyInCloud) {
+  for (const double cover : {0.0, 0.15, 0.4, 0.7, 1.0}) {
+    const Seen seen = look(stateOf(cover), vertical({0, 3, 0}, true));
+    std::size_t shaded = 0;
+    for (const float light : seen.shadow) shaded += light < 0.6f;
+    EXPECT_NEAR(static_cast<double>(shaded) / static_cast<double>(seen.shadow.size()), cover, 0.08) << cover;
+    if (cover == 0) {
+      EXPECT_EQ(seen.mean(3), 1);
+      EXPECT_EQ(seen.mean(0), 0);
+      EXPECT_EQ(seen.light.skyIrradiance, seen.clearLight.skyIrradiance);
+    }
+  }
+}
+
+/// Under a sun in the zenith, what hides it from the sea hides it from the eye there: places, axes and drift agree.
+TEST_F(CloudsTest, TheCloudOverheadIsTheOneThatShadesTheSea) {
+  pelagic::SkyState state = stateOf(0.45);
+  state.clouds.velocity = {12, -7};
+  auto sky = pelagic::Sky::create(device(), state);
+  auto view = pelagic::SkyView::create(*sky, kExtent);
+  int agree = 0, shaded = 0, tried = 0;
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec2 eye(700.0 * (i % 8) - 1e7, 1300.0 * (i / 8));
+    const double time = 977.0 * (i % 5);
+    const Seen seen = look(*sky, *view, vertical({eye.x, 3, eye.y}, true), time);
+    const double shadow = seen.shadowAt({seen.light.cloudPlace.x, seen.light.cloudPlace.y});
+    const glm::dvec2 place = (eye - state.clouds.velocity * time) / static_cast<double>(shader::kCloudTile);
+    EXPECT_NEAR(std::abs(seen.shadowAt(place) - shadow), 0, 0.35) << "to a texel";
+    if (shadow > 0.2 && shadow < 0.9) continue;  // an edge
+    ++tried;
+    shaded += shadow < 0.5;
+    agree += (seen.center(3) < 0.5) == (shadow < 0.5);
+  }
+  EXPECT_GT(tried, 40);
+  EXPECT_GT(shaded, 10);
+  EXPECT_GE(agree, tried - tried / 12) << "but for what is torn out of the edges";
+}
+
+TEST_F(CloudsTest, DriftIsTheSameAsAnEyeThatMovesAgainstIt) {
+  pelagic::SkyState state = stateOf(0.4, 0.5);
+  state.clouds.velocity = {8, 3};
+  const Seen later = look(state, vertical({100, 3, 200}, true, 1.2), 60);
+  const Seen moved = look(state, vertical({100 - 480, 3, 200 - 180}, true, 1.2), 0);
+  double difference = 0;
+  for (std::size_t i = 0; i < later.clouds.size(); ++i) difference += std::abs(later.clouds[i] - moved.clouds[i]);
+  EXPECT_LT(difference / static_cast<double>(later.clouds.size()), 1e-3);
+  const Seen standing = look(state, vertical({100, 3, 200}, true, 1.2), 0);
+  difference = 0;
+  for (std::size_t i = 3; i < later.clouds.size(); i += 4) difference += std::abs(later.clouds[i] - standing.clouds[i]);
+  EXPECT_GT(4 * difference / static_cast<double>(later.clouds.size()), 0.02);
+}
+
+/// A deck reflects and transmits like one: white from above, grey from below, and no more light leaves it than came.
+TEST_F(CloudsTest, ADeckKeepsTheEnergyOfTheSun) {
+  pelagic::SkyState state = stateOf(1);
+  const Seen above = look(state, vertical({0, 6000, 0}, false, 0.6)),
+             below = look(state, vertical({0, 3, 0}, true, 0.6));
+  EXPECT_LT(above.mean(3), 0.05);
+  const double reflected = kPi * above.mean(1) / static_cast<double>(above.light.cloudSun.y);
+  EXPECT_GT(reflected, 0.5);
+  EXPECT_LT(reflected, 0.9);
+  const double transmitted =
+      static_cast<double>(below.light.skyIrradiance.y) / static_cast<double>(below.light.cloudSun.y);
+  EXPECT_GT(transmitted, 0.05);
+  EXPECT_LT(transmitted, 1.05 - reflected);
+}
+
+TEST_F(CloudsTest, SkyLightIsTheIrradianceOfTheEnvironment) {
+  const Seen seen = look(stateOf(0.5, 0.7), vertical({0, 3, 0}, true));
+  const auto size = static_cast<double>(shader::kEnvironmentSize),
+             scale = static_cast<double>(shader::kEnvironmentScale);
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < seen.environment.size() / 4; ++i) {
+    const glm::dvec2 texel(static_cast<double>(i % shader::kEnvironmentSize),
+                           static_cast<double>(i / shader::kEnvironmentSize));
+    const glm::dvec2 q = ((texel + 0.5) / size * 2.0 - 1.0) / scale;
+    const double s = glm::dot(q, q), area = std::pow(2 / (size * scale), 2);
+    const double weight = std::max((1 - s) / (1 + s), 0.0) * 4 / ((1 + s) * (1 + s)) * area;
+    for (int c = 0; c < 3; ++c)
+      sum[c] += weight * static_cast<double>(seen.environment[4 * i + static_cast<std::size_t>(c)]);
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(static_cast<double>(seen.light.skyIrradiance[c]) / sum[c], 1, 0.01) << c;
+  EXPECT_GT(seen.light.skyIrradiance.x, 1.2f * seen.clearLight.skyIrradiance.x) << "white clouds in a blue sky";
+}
+
+TEST_F(CloudsTest, FieldsAreRefusedByName) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const char* name, const auto& set) {
+    pelagic::SkyState state;
+    set(state.clouds);
+    const auto result = pelagic::Sky::create(device(), state);
+    ASSERT_FALSE(result) << name;
+    EXPECT_NE(result.error().message.find(std::string("SkyState::clouds.") + name), std::string::npos);
+  };
+  for (const double value : {nan, -0.1, 1.1})
+    refused("cover", [&](pelagic::CloudLayer& layer) { layer.cover = value; });
+  for (const double value : {nan, 99.0, 8001.0})
+    refused("base", [&](pelagic::CloudLayer& layer) { layer.base = value; });
+  for (const double value : {nan, 49.0, 4001.0}) {
+    refused("thickness", [&](pelagic::CloudLayer& layer) { layer.thickness = value; });
+  }
+  for (const double value : {nan, -101.0, 101.0}) {
+    refused("velocity", [&](pelagic::CloudLayer& layer) { layer.velocity.y = value; });
+  }
+  const auto sky = pelagic::Sky::create(device(), {});
+  ASSERT_TRUE(sky);
+  EXPECT_FALSE(pelagic::SkyView::create(*sky, {0, 64}));
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "physics/clouds.glsl"
+
+namespace {
+
+namespace physics = pelagic::physics;
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadius = 6371e3;
+
+double altitude(double h, double mu, double t) {
+  return std::sqrt((kRadius + h) * (kRadius + h) + 2 * (kRadius + h) * mu * t + t * t) - kRadius;
+}
+
+TEST(Clouds, SpanIsWhereARayWalkedStepByStepIsInTheLayer) {
+  constexpr double kBase = 800, kTop = 1500, kStep = 0.5;
+  for (const double h : {2.0, 500.0, 900.0, 1400.0, 3000.0, 10e3}) {
+    for (const double degrees : {-80.0, -20.0, -5.0, -1.0, 1.0, 5.0, 20.0, 80.0}) {
+      const double mu = std::sin(degrees * kPi / 180);
+      double entry = -1, exit = -1;
+      for (double t = 0; t < 4e5; t += kStep) {
+        const double at = altitude(h, mu, t);
+        const bool inside = at >= kBase && at <= kTop;
+        if (at < 0 && entry < 0) break;
+        if (inside && entry < 0) entry = t;
+        if (!inside && entry >= 0) {
+          exit = t;
+          break;
+        }
+      }
+      const glm::vec2 span = physics::cloudSpan(static_cast<float>(h), static_cast<float>(mu), kBase, kTop);
+      if (entry < 0) {
+        EXPECT_EQ(span.x, span.y) << h << ' ' << degrees;
+        continue;
+      }
+      EXPECT_NEAR(span.x, entry, 1 + 2e-4 * entry) << h << ' ' << degrees;
+      EXPECT_NEAR(span.y, std::min(exit, entry + physics::kCloudLongest * (kTop - kBase)), 1 + 2e-4 * exit)
+          << h << ' ' << degrees;
+    }
+  }
+}
+
+TEST(Clouds, EachOrderOfScatteringCarriesItsShare) {
+  const auto whole = [](double q) {
+    double sum = 0;
+    constexpr int kCount = 20000;
+    for (int i = 0; i < kCount; ++i) {
+      const double mu = 2 * (i + 0.5) / kCount - 1;
+      sum += 4 * kPi / kCount *
+             static_cast<double>(physics::cloudScattering(static_cast<float>(mu), static_cast<float>(q)));
+    }
+    return sum;
+  };
+  EXPECT_NEAR(whole(1), 1 + 0.75 + 0.56 + 1.7, 5e-3);
+  EXPECT_NEAR(whole(0.5), std::pow(0.5, 4) + 0.75 * 0.25 + 0.56 * 0.5 + 1.7 * std::sqrt(0.5), 5e-3);
+  EXPECT_EQ(physics::cloudScattering(0.3f, 0), 0);
+  EXPECT_GT(physics::cloudScattering(1, 1), 20 * physics::cloudScattering(-1, 1)) << "forward is where the sun is";
+}
+
+TEST(Clouds, MeanDensityBetweenAltitudesEqualsQuadrature) {
+  for (const auto& [a, b] : {std::pair{0.0, 1000.0}, {1000.0, 0.0}, {9000.0, 1200.0}, {50.0, 50.5}}) {
+    double sum = 0;
+    constexpr int kCount = 10000;
+    for (int i = 0; i < kCount; ++i) sum += std::exp(-(a + (b - a) * (i + 0.5) / kCount) / 1200) / kCount;
+    EXPECT_NEAR(physics::meanDensityBetween(static_cast<float>(a), static_cast<float>(b), 1200), sum, 2e-5)
+        << a << ' ' << b;
+  }
+}
+
+}  // namespace
