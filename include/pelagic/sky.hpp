@@ -1,8 +1,9 @@
-/// The sky stage: sun, clear sky after Hillaire (2020), CIE overcast, and the light that the water needs from them.
-/// Radiance is in units of the extraterrestrial solar irradiance per steradian, per linear Rec.709 channel: above the
-/// air the sun's irradiance is (1,1,1), its disc has the radiance 1/6.8e-5 = 1.46e4, which half floats hold.
-/// Twilight loses half of its light every 0.7 degrees. So that half floats hold it, every radiance and irradiance of
-/// the maps is multiplied by twilightGain() when the sun is down: 1 by day, and a change of exposure else.
+/// The sky stage: sun, moon and stars, clear sky after Hillaire (2020), CIE overcast, and the light that the water
+/// needs from them. Radiance is in units of the extraterrestrial solar irradiance per steradian, per linear Rec.709
+/// channel: above the air the sun's irradiance is (1,1,1), its disc has the radiance 1/6.8e-5 = 1.46e4, which half
+/// floats hold. Twilight loses half of its light every 0.7 degrees. So that half floats hold it, every radiance and
+/// irradiance of the maps is multiplied by twilightGain() when the sun is down: 1 by day, and a change of exposure
+/// else.
 #pragma once
 
 #include <pelagic/shader/constants.h>
@@ -29,11 +30,17 @@ struct CloudLayer {
 };
 
 struct SkyState {
-  double sunElevation = 0.6;  ///< Above the horizontal [rad], -pi/2 … pi/2.
-  double sunAzimuth = 0.0;    ///< Toward the sun, from +x turning to +z [rad], finite.
-  double overcast = 0.0;      ///< 0 clear … 1 CIE overcast sky without a sun [1].
-  double haze = 1.0;          ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
-  CloudLayer clouds;          ///< Below the overcast, which has no height.
+  double sunElevation = 0.6;   ///< Above the horizontal [rad], -pi/2 … pi/2.
+  double sunAzimuth = 0.0;     ///< Toward the sun, from +x turning to +z [rad], finite.
+  double overcast = 0.0;       ///< 0 clear … 1 CIE overcast sky without a sun [1].
+  double haze = 1.0;           ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
+  CloudLayer clouds;           ///< Below the overcast, which has no height.
+  double moonElevation = -1;   ///< Above the horizontal [rad], -pi/2 … pi/2; below the horizon there is no moon.
+  double moonAzimuth = 0;      ///< Toward the moon [rad], as the sun's.
+  double moonIlluminated = 1;  ///< Part of its disc that the sun lights [1], 0 new … 1 full.
+  /// Turns the sky of the stars into the world, a rotation: their pole is its z axis, as in a catalogue's equatorial
+  /// coordinates. The stars themselves are random, as many of each magnitude as real ones.
+  glm::dmat3 starsToWorld{1};
 };
 Result<void> validate(const SkyState& state);
 

@@ -30,11 +30,9 @@ double upperQuantile(double p) {
 
 }  // namespace
 
-CloudPass cloudPassOf(const SkyState& state) noexcept {
-  const double side = std::cos(state.sunElevation);
+CloudPass cloudPassOf(const SkyState& state, const glm::vec3& light) noexcept {
   CloudPass pass{};
-  pass.sunDirection =
-      glm::vec4(side * std::cos(state.sunAzimuth), std::sin(state.sunElevation), side * std::sin(state.sunAzimuth), 0);
+  pass.sunDirection = glm::vec4(light, 0);
   pass.base = static_cast<float>(state.clouds.base);
   pass.thickness = static_cast<float>(state.clouds.thickness);
   pass.threshold = static_cast<float>(std::clamp(upperQuantile(state.clouds.cover), -3.0, 3.0));

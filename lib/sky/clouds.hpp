@@ -30,6 +30,7 @@ class Clouds {
   bool detailed_ = false;
 };
 
-shader::CloudPass cloudPassOf(const SkyState& state) noexcept;
+/// `light`: toward sun or moon.
+shader::CloudPass cloudPassOf(const SkyState& state, const glm::vec3& light) noexcept;
 
 }  // namespace pelagic::sky

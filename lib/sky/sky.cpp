@@ -1,9 +1,11 @@
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <sky/sky_impl.hpp>
 
 #include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
+#include "physics/moon.glsl"
 #include "sky_clear_comp.spv.hpp"
 #include "sky_light_comp.spv.hpp"
 #include "sky_radiance_comp.spv.hpp"
@@ -13,20 +15,60 @@
 namespace pelagic {
 namespace sky {
 
+glm::vec3 toward(double elevation, double azimuth) noexcept {
+  const double side = std::cos(elevation);
+  return glm::vec3(glm::dvec3(side * std::cos(azimuth), std::sin(elevation), side * std::sin(azimuth)));
+}
+
+bool moonCastsShadows(const SkyState& state) noexcept {
+  return state.sunElevation < -kMoonTakesOver && moonlight(state) > 0;
+}
+
+double moonlight(const SkyState& state) noexcept {
+  const bool up = state.moonElevation > -kSunAngularRadius;
+  return up ? static_cast<double>(physics::moonStrength(static_cast<float>(state.moonIlluminated))) : 0;
+}
+
 shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept {
-  const double azimuth = std::remainder(state.sunAzimuth, 2 * std::numbers::pi);
-  const double side = std::cos(state.sunElevation);
   shader::SkyPass pass{};
-  pass.sunDirection =
-      glm::vec4(side * std::cos(azimuth), std::sin(state.sunElevation), side * std::sin(azimuth), state.sunElevation);
-  pass.sunAzimuth = static_cast<float>(azimuth);
+  pass.sunDirection = glm::vec4(toward(state.sunElevation, state.sunAzimuth), static_cast<float>(state.sunElevation));
+  pass.sunAzimuth = static_cast<float>(std::remainder(state.sunAzimuth, 2 * std::numbers::pi));
   pass.overcast = static_cast<float>(state.overcast);
   pass.haze = static_cast<float>(state.haze);
   pass.gain = static_cast<float>(twilightGain(state.sunElevation));
   pass.altitude = static_cast<float>(altitude);
   pass.edge = shader::horizonElevation(pass.altitude);
   pass.airRows = airRows;
+  pass.moonAzimuth = static_cast<float>(std::remainder(state.moonAzimuth, 2 * std::numbers::pi));
+  pass.moonDirection = glm::vec4(toward(state.moonElevation, state.moonAzimuth), static_cast<float>(moonlight(state)));
+  pass.sunPlace = glm::vec4(glm::vec3(pass.sunDirection), moonCastsShadows(state) ? 1 : 0);
+  const glm::dquat stars = glm::quat_cast(glm::transpose(state.starsToWorld));
+  pass.stars = glm::vec4(glm::dvec4(stars.x, stars.y, stars.z, stars.w));
+  pass.night.x = 1;
   return pass;
+}
+
+shader::SkyPass moonPassOf(shader::SkyPass pass) noexcept {
+  pass.sunDirection = pass.moonDirection;
+  pass.sunAzimuth = pass.moonAzimuth;
+  pass.gain *= pass.moonDirection.w;
+  pass.night.x = 0;
+  return pass;
+}
+
+void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step& step, gpu::Image& image,
+                   const shader::SkyPass& push, std::uint32_t rows) noexcept {
+  if (push.moonDirection.w > 0) {
+    gpu::Barrier().image(image, gpu::kComputeStorageWrite, true).record(context, commands);
+    step.pass.bind(commands, step.set);
+    step.pass.push(commands, moonPassOf(push));
+    step.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, rows / shader::kSkyTile);
+  } else {
+    gpu::Barrier().image(image, gpu::kTransferDestination, true).record(context, commands);
+    commands.clearColorImage(image.handle(), vk::ImageLayout::eTransferDstOptimal,
+                             vk::ClearColorValue(0.0f, 0.0f, 0.0f, 0.0f), image.range(), context.dispatch);
+  }
+  gpu::Barrier().image(image, gpu::kComputeSampled).record(context, commands);
 }
 
 Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name) {
@@ -45,6 +87,7 @@ Result<void> Sky::Impl::createResources() {
   };
   PELAGIC_CHECK(image(transmittance, "sky transmittance", {shader::kTransmittanceWidth, shader::kTransmittanceHeight}));
   PELAGIC_CHECK(image(clear, "sky clear", {shader::kClearSize, shader::kClearSize}));
+  PELAGIC_CHECK(image(moonlit, "sky moonlit", {shader::kClearSize, shader::kClearSize}));
   PELAGIC_CHECK(image(radiance, "sky radiance", {shader::kRadianceWidth, shader::kRadianceHeight}));
   PELAGIC_TRY(scatteringBuffer,
               gpu::Buffer::create(*context, Stage::sky, "sky scattering",
@@ -83,10 +126,16 @@ Result<void> Sky::Impl::createSteps() {
   clearStep.set.sampled(0, transmittance.view(), *clamped);
   clearStep.set.buffer(1, scattering.handle());
   clearStep.set.storageImage(2, clear.mipView(0));
-  PELAGIC_CHECK(create(lightStep, "sky light", shaders::sky_light_comp, {sampled, buffer}));
+  PELAGIC_CHECK(create(moonStep, "sky moonlit", shaders::sky_clear_comp, {sampled, buffer, storage}));
+  moonStep.set.sampled(0, transmittance.view(), *clamped);
+  moonStep.set.buffer(1, scattering.handle());
+  moonStep.set.storageImage(2, moonlit.mipView(0));
+  PELAGIC_CHECK(create(lightStep, "sky light", shaders::sky_light_comp, {sampled, buffer, sampled}));
   lightStep.set.sampled(0, clear.view(), *clamped);
   lightStep.set.buffer(1, light.handle());
-  PELAGIC_CHECK(create(radianceStep, "sky radiance", shaders::sky_radiance_comp, {sampled, buffer, storage}));
+  lightStep.set.sampled(2, moonlit.view(), *clamped);
+  PELAGIC_CHECK(create(radianceStep, "sky radiance", shaders::sky_radiance_comp, {sampled, buffer, storage, sampled}));
+  radianceStep.set.sampled(3, moonlit.view(), *clamped);
   radianceStep.set.sampled(0, clear.view(), *clamped);
   radianceStep.set.buffer(1, light.handle());
   radianceStep.set.storageImage(2, radiance.mipView(0));
@@ -126,6 +175,7 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const shader::SkyPass
   clearStep.pass.push(commands, push);
   clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, shader::kClearSize / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*context, commands);
+  sky::recordMoonlit(*context, commands, moonStep, moonlit, push, shader::kClearSize);
   lightStep.pass.bind(commands, lightStep.set);
   // The sun that the clouds see is that of their middle.
   lightStep.pass.push(commands, sky::passOf(state, state.clouds.base + 0.5 * state.clouds.thickness, 0));
@@ -148,7 +198,9 @@ void Sky::Impl::recordEnvironment(vk::CommandBuffer commands, Timings* timings) 
 void Sky::Impl::recordClouds(vk::CommandBuffer commands, Timings* timings) noexcept {
   if (!cloudy()) return clouds.recordNone(*context, commands);
   if (timings) timings->begin(commands, "sky cloud volume");
-  clouds.record(*context, commands, sky::cloudPassOf(state), cloudsChanged);
+  const glm::vec3 source = sky::moonCastsShadows(state) ? sky::toward(state.moonElevation, state.moonAzimuth)
+                                                       : sky::toward(state.sunElevation, state.sunAzimuth);
+  clouds.record(*context, commands, sky::cloudPassOf(state, source), cloudsChanged);
   cloudsChanged = false;
   if (timings) timings->end(commands);
 }
@@ -173,7 +225,10 @@ Result<void> Sky::setState(const SkyState& state) {
   SkyState& now = impl_->state;
   impl_->airChanged |= state.haze != now.haze;
   impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
-                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast || state.clouds != now.clouds;
+                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast ||
+                    state.clouds != now.clouds || state.moonElevation != now.moonElevation ||
+                    state.moonAzimuth != now.moonAzimuth || state.moonIlluminated != now.moonIlluminated ||
+                    state.starsToWorld != now.starsToWorld;
   // They drift without being computed again.
   CloudLayer moved = now.clouds;
   moved.velocity = state.clouds.velocity;

@@ -15,6 +15,17 @@ inline constexpr gpu::BufferState kLightRead{
         vk::PipelineStageFlagBits2::eComputeShader,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 
+/// How far the sun is below the horizon when the moon takes over as the light that casts shadows and glitters [rad]:
+/// then either is lost in the twilight.
+inline constexpr double kMoonTakesOver = 0.035;
+bool moonCastsShadows(const SkyState& state) noexcept;
+/// Irradiance of the moon over the air, 0 below the horizon [the sun's].
+double moonlight(const SkyState& state) noexcept;
+glm::vec3 toward(double elevation, double azimuth) noexcept;
+/// The sky that the moon lights: `step` is a pass of clear.comp that writes `image`, which ends ready to be sampled.
+void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step& step, gpu::Image& image,
+                   const shader::SkyPass& push, std::uint32_t rows) noexcept;
+
 /// `airRows`: 0, or shader::kAirRows for the maps of an eye at `altitude` [m].
 shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept;
 /// A buffer for a SkyLight block.
@@ -30,10 +41,10 @@ struct Sky::Impl {
   bool changed = true;
   bool cloudsChanged = true;  ///< Their shape.
   std::uint64_t version = 0;  ///< Counts the states that were recorded.
-  gpu::Image transmittance, clear, radiance;
+  gpu::Image transmittance, clear, moonlit, radiance;
   gpu::Buffer scattering, light;
   gpu::Unique<vk::Sampler> clamped, turning, repeat;
-  sky::Step transmittanceStep, scatteringStep, clearStep, lightStep, radianceStep;
+  sky::Step transmittanceStep, scatteringStep, clearStep, moonStep, lightStep, radianceStep;
   sky::Environment environment;
   sky::Clouds clouds;
 

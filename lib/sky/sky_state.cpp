@@ -24,6 +24,9 @@ Result<void> validate(const SkyState& state) {
                           {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
                           {"overcast", state.overcast, 0, 1, "0 to 1"},
                           {"haze", state.haze, 0, 20, "0 to 20"},
+                          {"moonElevation", state.moonElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
+                          {"moonAzimuth", state.moonAzimuth, -kAny, kAny, "finite"},
+                          {"moonIlluminated", state.moonIlluminated, 0, 1, "0 to 1"},
                           {"clouds.cover", state.clouds.cover, 0, 1, "0 to 1"},
                           {"clouds.base", state.clouds.base, 100, 8000, "100 to 8000 m"},
                           {"clouds.thickness", state.clouds.thickness, 50, 4000, "50 to 4000 m"},
@@ -35,6 +38,16 @@ Result<void> validate(const SkyState& state) {
     std::ostringstream text;
     text << "SkyState::" << field.name << " is " << field.value << ", it must be " << field.range;
     return gpu::reject(text.str());
+  }
+  const glm::dmat3 difference = glm::transpose(state.starsToWorld) * state.starsToWorld - glm::dmat3(1);
+  for (int column = 0; column < 3; ++column) {
+    // Written so that NaN fails.
+    if (!(glm::length(difference[column]) < 1e-6)) {
+      return gpu::reject("SkyState::starsToWorld is not orthonormal in column " + std::to_string(column));
+    }
+  }
+  if (glm::determinant(state.starsToWorld) < 0) {
+    return gpu::reject("SkyState::starsToWorld has the determinant -1, it must be a rotation");
   }
   return {};
 }

@@ -16,9 +16,9 @@ namespace pelagic {
 struct SkyView::Impl {
   const Sky::Impl* sky = nullptr;
   vk::Extent2D extent;  ///< Of the view.
-  gpu::Image clear, radiance, dome, clouds;
+  gpu::Image clear, moonlit, radiance, dome, clouds;
   gpu::Buffer light;
-  sky::Step clearStep, radianceStep, domeStep, cloudStep, lightStep;
+  sky::Step clearStep, moonStep, radianceStep, domeStep, cloudStep, lightStep;
   sky::Environment environment;
   std::uint64_t version = 0;  ///< Of the sky's state in the maps; 0: none yet.
   double altitude = std::numeric_limits<double>::quiet_NaN();
@@ -71,6 +71,7 @@ Result<void> SkyView::Impl::createImages() {
     return {};
   };
   PELAGIC_CHECK(image(clear, "sky view clear", {shader::kClearSize, shader::kAirRows + shader::kClearSize}));
+  PELAGIC_CHECK(image(moonlit, "sky view moonlit", {shader::kClearSize, shader::kAirRows + shader::kClearSize}));
   PELAGIC_CHECK(image(radiance, "sky view radiance", {shader::kRadianceWidth, shader::kRadianceHeight}));
   PELAGIC_CHECK(image(dome, "sky view dome", {shader::kDomeSize, shader::kDomeSize}));
   PELAGIC_CHECK(image(clouds, "sky view clouds", cloudExtent(extent)));
@@ -82,20 +83,24 @@ Result<void> SkyView::Impl::createImages() {
 Result<void> SkyView::Impl::createAir() {
   gpu::Context& context = *sky->context;
   const Type sampled = Type::eCombinedImageSampler, storage = Type::eStorageImage, buffer = Type::eStorageBuffer;
-  const auto create = [&](sky::Step& target, std::string_view name,
-                          std::span<const std::uint32_t> code) -> Result<void> {
-    PELAGIC_TRY(step, sky::createStep(context, name, code, {sampled, buffer, storage}, sizeof(shader::SkyPass)));
+  const auto march = [&](sky::Step& target, std::string_view name, const gpu::Image& output) -> Result<void> {
+    PELAGIC_TRY(step, sky::createStep(context, name, shaders::sky_clear_comp, {sampled, buffer, storage},
+                                      sizeof(shader::SkyPass)));
+    step.set.sampled(0, sky->transmittance.view(), *sky->clamped);
+    step.set.buffer(1, sky->scattering.handle());
+    step.set.storageImage(2, output.mipView(0));
     target = std::move(step);
     return {};
   };
-  PELAGIC_CHECK(create(clearStep, "sky view clear", shaders::sky_clear_comp));
-  clearStep.set.sampled(0, sky->transmittance.view(), *sky->clamped);
-  clearStep.set.buffer(1, sky->scattering.handle());
-  clearStep.set.storageImage(2, clear.mipView(0));
-  PELAGIC_CHECK(create(radianceStep, "sky view radiance", shaders::sky_radiance_comp));
+  PELAGIC_CHECK(march(clearStep, "sky view clear", clear));
+  PELAGIC_CHECK(march(moonStep, "sky view moonlit", moonlit));
+  PELAGIC_TRY(step, sky::createStep(context, "sky view radiance", shaders::sky_radiance_comp,
+                                    {sampled, buffer, storage, sampled}, sizeof(shader::SkyPass)));
+  radianceStep = std::move(step);
   radianceStep.set.sampled(0, clear.view(), *sky->clamped);
   radianceStep.set.buffer(1, sky->light.handle());
   radianceStep.set.storageImage(2, radiance.mipView(0));
+  radianceStep.set.sampled(3, moonlit.view(), *sky->clamped);
   return {};
 }
 
@@ -156,6 +161,7 @@ void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
   clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile,
                           (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*sky->context, commands);
+  sky::recordMoonlit(*sky->context, commands, moonStep, moonlit, push, shader::kAirRows + shader::kClearSize);
   radianceStep.pass.bind(commands, radianceStep.set);
   radianceStep.pass.push(commands, push);
   radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,

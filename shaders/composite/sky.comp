@@ -13,7 +13,7 @@ void main() {
   float inverseLength = inversesqrt(dot(ray, ray));
   vec3 d = ray * inverseLength;
   vec4 clouds = cloudsBefore(tile.pixel);
-  vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, frame.waterAlbedo.w * inverseLength);
+  vec3 radiance = skyRadiance(skyPlace(d)) + bodies(d, frame.waterAlbedo.w * inverseLength);
   radiance = radiance * clouds.a + clouds.rgb;
   float depth = frame.rayY.w;
   if (kHasHost) {

@@ -2,6 +2,10 @@
 #ifndef PELAGIC_COMPOSITE_SKY_LOOKUP_GLSL
 #define PELAGIC_COMPOSITE_SKY_LOOKUP_GLSL
 
+#include "pelagic/shader/constants.h"
+#include "physics/moon.glsl"
+#include "physics/noise.glsl"
+
 const float kPi = 3.14159265;
 
 // Place of the direction d (unit) in the radiance map.
@@ -28,16 +32,57 @@ vec4 cloudsBefore(ivec2 pixel) {
   return textureLod(cloudPicture, (vec2(pixel) + 0.5) / (3.0 * vec2(textureSize(cloudPicture, 0))), 0.0);
 }
 
-// The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance; its edge
-// is softened over a pixel of the angular size `pixel` [rad].
+// Share of a pixel of the angular size `pixel` [rad] that lies in a disc of the angular radius `radius` around `centre`. A
+// chord: near it a cosine has no digits left.
+float discCoverage(vec3 d, vec3 centre, float radius, float pixel) {
+  return clamp((radius - distance(d, centre)) / pixel + 0.5, 0.0, 1.0);
+}
+
+// The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance.
 vec3 sunDisc(vec3 d, float pixel) {
-  // A chord: near the sun a cosine has no digits left.
   float radius = acos(light.sunDirection.w);
-  float from = distance(d, light.sunDirection.xyz);
-  float coverage = clamp((radius - from) / pixel + 0.5, 0.0, 1.0);
-  float inside = clamp(from / radius, 0.0, 1.0);
+  float inside = min(distance(d, light.sunDirection.xyz) / radius, 1.0);
   float limb = (0.4 + 0.6 * sqrt(1.0 - inside * inside)) / 0.8;
-  return light.sunRadiance.rgb * (coverage * limb);
+  return light.sunRadiance.rgb * (light.sunRadiance.w * discCoverage(d, light.sunDirection.xyz, radius, pixel) * limb);
+}
+
+// The moon's disc, of which the side toward the sun is lit; that is evenly bright, as the moon is.
+vec3 moonDisc(vec3 d, float pixel) {
+  vec3 moon = light.moonDirection.xyz;
+  vec3 across = (d - moon) / kSunAngularRadius;
+  vec3 normal = across - moon * sqrt(max(1.0 - dot(across, across), 0.0));
+  float lit = smoothstep(-0.05, 0.1, dot(normal, light.moonLit.xyz));
+  return light.moonRadiance.rgb * (discCoverage(d, moon, kSunAngularRadius, pixel) * lit);
+}
+
+// The stars toward d: one in each cell of a cube's faces, spread over the pixels around it.
+vec3 starLight(vec3 d, float pixel) {
+  const float kCells = 64.0, kStars = 6.0 * kCells * kCells;
+  vec4 turn = light.stars;
+  vec3 q = d + 2.0 * cross(turn.xyz, cross(turn.xyz, d) + turn.w * d);
+  vec3 size = abs(q);
+  uint face = size.x > max(size.y, size.z) ? 0u : size.y > size.z ? 1u : 2u;
+  vec3 f = face == 0u ? q : face == 1u ? q.yzx : q.zxy;
+  vec2 place = (0.5 + 0.5 * f.yz / abs(f.x)) * kCells;
+  uvec2 cell = min(uvec2(place), uvec2(uint(kCells) - 1u));
+  uint row = cell.y + uint(kCells) * (2u * face + (f.x > 0.0 ? 1u : 0u));
+  // Not so near the cell's border that its neighbour would have to show it.
+  vec2 at = vec2(cell) + 0.15 + 0.7 * vec2(latticeValue(uvec2(cell.x, row)), latticeValue(uvec2(cell.x + 64u, row)));
+  vec3 star = normalize(vec3(sign(f.x), 2.0 * at / kCells - 1.0));
+  float magnitude = starMagnitude(latticeValue(uvec2(cell.x + 128u, row)), kStars);
+  float spread = 1.3 * pixel;
+  float near = max(1.0 - distance(star, normalize(f)) / spread, 0.0);
+  float warm = latticeValue(uvec2(cell.x + 192u, row));
+  vec3 tint = mix(vec3(0.8, 0.95, 1.3), vec3(1.25, 0.97, 0.7), warm);
+  // The spread's square integrates to pi/6 of its radius' square.
+  return tint * (starStrength(magnitude) * light.skyIrradiance.w * near * near * 6.0 / (kPi * spread * spread));
+}
+
+// Sun, moon and stars behind a pixel.
+vec3 bodies(vec3 d, float pixel) {
+  vec3 radiance = sunDisc(d, pixel) + moonDisc(d, pixel);
+  if (light.skyIrradiance.w > 1.0) radiance += starLight(d, pixel);
+  return radiance;
 }
 
 #endif

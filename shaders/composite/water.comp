@@ -83,7 +83,7 @@ void main() {
     }
   } else {
     vec4 clouds = cloudsBefore(tile.pixel);
-    radiance = (radiance + sunDisc(d, frame.waterAlbedo.w / rayLength)) * clouds.a + clouds.rgb;
+    radiance = (radiance + bodies(d, frame.waterAlbedo.w / rayLength)) * clouds.a + clouds.rgb;
   }
   if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
 

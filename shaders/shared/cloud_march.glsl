@@ -18,11 +18,11 @@ vec3 cloudAmbient(float height) {
 }
 
 // `d`: unit, `place`: of the eye in the tile, `air`: what the air adds per what it takes in the direction, `finest`: step
-// where there are clouds [m], `steps`: at most. The field tells how far off the next cloud is at least: it changes by 1 in
+// where there are clouds [m], `pixel`: angular size [rad], `steps`: at most. The field tells how far off the next cloud is at least: it changes by 1 in
 // 150 m along the layer; across it, no step passes more than an eighth of it.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
-                       vec3 air, float finest, int steps) {
-  const float kFieldScale = 150.0;
+                       vec3 air, float finest, float pixel, int steps) {
+  const float kFieldScale = 150.0, kSmallestBubble = 45.0, kMeanHole = 0.5;
   vec2 span = cloudSpan(altitude, d.y, base, top);
   float mu = dot(d, light.sunDirection.xyz);
   // What the steps must reach; nearer the end of a long way they are longer.
@@ -40,7 +40,9 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
     vec2 cloud = textureLod(volume, at, 0).rg;
     float holes = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
     float step = clamp(-kFieldScale * cloud.r, least, most);
-    float density = t < span.y ? cloudDensity(cloud.r - torn * (holes - 0.3)) : 0.0;
+    // Nor are those smaller than a pixel.
+    float kept = clamp(1.5 - t * pixel / kSmallestBubble, 0.0, 1.0);
+    float density = t < span.y ? cloudDensity(cloud.r - torn * (mix(kMeanHole, holes, kept) - 0.3)) : 0.0;
     float taken = 1.0 - exp(-kCloudExtinction * density * step);
     vec3 source = light.cloudSun.rgb * cloudScattering(mu, cloud.g) + cloudAmbient(clamp(at.z, 0.0, 1.0));
     seen += through * taken * source;

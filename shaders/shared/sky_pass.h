@@ -28,15 +28,19 @@ PELAGIC_SHADER_CONSTANT uint kCloudPixels = 3;            // pixels of a view al
 
 // Push constants of all passes.
 struct SkyPass {
-  vec4 sunDirection;  // xyz toward the sun (world), w elevation [rad]
-  float sunAzimuth;   // [rad]
-  float overcast;     // 0 ... 1
-  float haze;         // [1]
-  float gain;         // factor on every radiance, 1 while the sun is up
-  float altitude;     // of the eye [m]
-  float edge;         // elevation of the eye's horizon [rad], <= 0
-  uint airRows;       // rows below the horizon: 0, or kAirRows in the maps of a view
-  uint padding;
+  vec4 sunDirection;   // xyz toward the sun (world), w elevation [rad]
+  float sunAzimuth;    // [rad]
+  float overcast;      // 0 ... 1
+  float haze;          // [1]
+  float gain;          // factor on every radiance, 1 while the sun is up
+  float altitude;      // of the eye [m]
+  float edge;          // elevation of the eye's horizon [rad], <= 0
+  uint airRows;        // rows below the horizon: 0, or kAirRows in the maps of a view
+  float moonAzimuth;   // [rad]
+  vec4 moonDirection;  // xyz toward the moon (world), w its irradiance over the air, 0 below the horizon
+  vec4 sunPlace;       // xyz toward the sun, also where sunDirection is the moon's, w 1: the moon casts the shadows
+  vec4 stars;          // as in SkyLight
+  vec4 night;          // x: share of the light of a moonless night that is added
 };
 
 // Push constants of the passes that make the volume.

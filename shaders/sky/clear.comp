@@ -68,6 +68,6 @@ void main() {
   float sunView = viewMu * sunMu + cos(elevation) * sunSide * cos(azimuth);
   float ground = distanceToGround(pass.altitude, viewMu);
   Air air = airAlong(viewMu, below && ground >= 0.0 ? ground : distanceToTop(pass.altitude, viewMu), sunMu, sunView);
-  vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight;
+  vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight * pass.night.x;
   imageStore(clear, texel, vec4(light * pass.gain, 1));
 }

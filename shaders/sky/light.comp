@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/types.h"
 #include "physics/atmosphere.glsl"
+#include "physics/moon.glsl"
 #include "pelagic/shader/sky_light.h"
 #include "shared/sky_pass.h"
 
@@ -19,6 +20,7 @@ layout(local_size_x = kThreads) in;
 layout(push_constant) uniform Push { SkyPass pass; };
 layout(binding = 0) uniform sampler2D clear;
 layout(binding = 1, std430) writeonly buffer Light { SkyLight light; };
+layout(binding = 2) uniform sampler2D moonlit;
 
 shared vec3 partial[kThreads];
 
@@ -31,24 +33,36 @@ vec3 irradianceOfTexels(uint first) {
     vec2 low = vec2(i % kClearSize, i / kClearSize) / n, high = low + 1.0 / n;
     vec2 sines = sin(0.5 * kAirPi * vec2(low.y * low.y, high.y * high.y));
     float weight = 0.5 * (sines.y * sines.y - sines.x * sines.x) * 2.0 * kAirPi * (high.x * high.x - low.x * low.x);
-    sum += weight * texelFetch(clear, ivec2(i % kClearSize, i / kClearSize), 0).rgb;
+    ivec2 texel = ivec2(i % kClearSize, i / kClearSize);
+    sum += weight * (texelFetch(clear, texel, 0).rgb + kMoonTint * texelFetch(moonlit, texel, 0).rgb);
   }
   return sum;
 }
 
-void writeLight(vec3 clearSky) {
-  float elevation = pass.sunDirection.w;
-  // The middle of what stands above the horizon, so that a setting disc reddens to the end.
+// Of the light's own colour, at sea level; the middle of what stands above the horizon, so that a setting disc reddens to the
+// end.
+vec3 throughTheAir(float elevation) {
   float middle = 0.5 * (max(elevation - kSunAngularRadius, 0.0) + max(elevation + kSunAngularRadius, 0.0));
-  vec3 sun = exp(-airOpticalDepth(0.0, sin(middle), pass.haze, 64));
+  return exp(-airOpticalDepth(0.0, sin(middle), pass.haze, 64));
+}
+
+void writeLight(vec3 clearSky) {
+  bool byMoon = pass.sunPlace.w > 0.0;
+  vec4 source = byMoon ? vec4(pass.moonDirection.xyz, asin(clamp(pass.moonDirection.y, -1.0, 1.0))) : pass.sunDirection;
+  // Over the air.
+  vec3 moonlight = kMoonTint * (pass.moonDirection.w * pass.gain);
+  vec3 strength = byMoon ? moonlight : vec3(1);
+  float elevation = source.w;
+  vec3 sun = throughTheAir(elevation) * strength;
   float share = sunDiscShare(elevation);
-  vec3 global = clearSky + sun * (share * sin(middle));
+  vec3 global = clearSky + sun * (share * max(sin(elevation), 0.5 * kSunAngularRadius));
   vec3 cloudy = kCloudTint * (kCloudTransmittance * dot(global, kLuminance)) * pass.overcast;
   float open = 1.0 - pass.overcast;
   vec3 sunNow = sun * open * (share > 0.0 ? 1.0 : 0.0);
-  light.sunDirection = vec4(pass.sunDirection.xyz, kSunCosine);
+  const float disc = kAirPi * kSunAngularRadius * kSunAngularRadius;
+  light.sunDirection = vec4(source.xyz, kSunCosine);
   light.sunIrradiance = vec4(sunNow * share, 0);
-  light.sunRadiance = vec4(sunNow / (kAirPi * kSunAngularRadius * kSunAngularRadius), 0);
+  light.sunRadiance = vec4(sunNow / disc, byMoon ? 0.0 : 1.0);
   light.skyIrradiance = vec4(clearSky * open + cloudy, pass.gain);
   light.rayleighExtinction = vec4(kRayleighScattering, kRayleighHeight);
   light.mieExtinction = vec4(kMieExtinction * pass.haze, kMieHeight);
@@ -57,7 +71,15 @@ void writeLight(vec3 clearSky) {
   // Clouds see the sun a little longer than the sea does.
   float mu = sin(elevation);
   vec3 above = exp(-airOpticalDepth(pass.altitude, max(mu, horizonCosine(pass.altitude)), pass.haze, 64));
-  light.cloudSun = vec4(above * (open * pass.gain * sunVisibility(pass.altitude, mu)), 0);
+  vec3 high = byMoon ? strength : vec3(pass.gain);
+  light.cloudSun = vec4(above * high * (open * sunVisibility(pass.altitude, mu)), 0);
+  float moonElevation = asin(clamp(pass.moonDirection.y, -1.0, 1.0));
+  light.moonDirection = vec4(pass.moonDirection.xyz, 0);
+  // What is lit of the disc is as bright as at full moon; thinner phases are darker in truth.
+  float full = pass.moonDirection.w > 0.0 ? kFullMoon * pass.gain * open / disc : 0.0;
+  light.moonRadiance = vec4(kMoonTint * throughTheAir(moonElevation) * full, 0);
+  light.moonLit = vec4(pass.sunPlace.xyz, 0);
+  light.stars = pass.stars;
   light.cloudPlace = vec4(0, 0, 0, 1e9);
 }
 

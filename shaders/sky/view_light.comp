@@ -44,6 +44,10 @@ void main() {
     light.mieExtinction = sky.mieExtinction;
     light.cloudZenith = sky.cloudZenith;
     light.cloudSun = sky.cloudSun;
+    light.moonDirection = sky.moonDirection;
+    light.moonRadiance = sky.moonRadiance;
+    light.moonLit = sky.moonLit;
+    light.stars = sky.stars;
     light.cloudPlace = vec4(view.place, 1.0 / kCloudTile, view.cover > 0.0 ? view.rayX.w : 1e9);
   }
 }
