@@ -14,32 +14,33 @@ constexpr double kAberrationOfTheSun = -0.00569 * kDegree;  // [rad]
 /// A periodic term: multiples of the arguments D, M, M' and F.
 struct Term {
   glm::dvec4 multiples;
-  double sine;    // of an angle [1e-6 degrees]
-  double cosine;  // of the distance [m]
+  double sine;        // of an angle [1e-6 degrees]
+  double cosine = 0;  // of the distance [m]
 };
 
 // Meeus's table 47.A down to 0.0035 degrees.
 constexpr Term kLongitudeAndDistance[] = {
     {{0, 0, 1, 0}, 6288774, -20905355}, {{2, 0, -1, 0}, 1274027, -3699111}, {{2, 0, 0, 0}, 658314, -2955968},
-    {{0, 0, 2, 0}, 213618, -569925},    {{0, 1, 0, 0}, -185116, 48888},     {{0, 0, 0, 2}, -114332, -3149},
+    {{0, 0, 2, 0}, 213618, -569925},    {{0, 1, 0, 0}, -185116, 48888},     {{0, 0, 0, 2}, -114332},
     {{2, 0, -2, 0}, 58793, 246158},     {{2, -1, -1, 0}, 57066, -152138},   {{2, 0, 1, 0}, 53322, -170733},
     {{2, -1, 0, 0}, 45758, -204586},    {{0, 1, -1, 0}, -40923, -129620},   {{1, 0, 0, 0}, -34720, 108743},
-    {{0, 1, 1, 0}, -30383, 104755},     {{2, 0, 0, -2}, 15327, 10321},      {{0, 0, 1, 2}, -12528, 0},
+    {{0, 1, 1, 0}, -30383, 104755},     {{2, 0, 0, -2}, 15327, 10321},      {{0, 0, 1, 2}, -12528},
     {{0, 0, 1, -2}, 10980, 79661},      {{4, 0, -1, 0}, 10675, -34782},     {{0, 0, 3, 0}, 10034, -23210},
     {{4, 0, -2, 0}, 8548, -21636},      {{2, 1, -1, 0}, -7888, 24208},      {{2, 1, 0, 0}, -6766, 30824},
     {{1, 0, -1, 0}, -5163, -8379},      {{1, 1, 0, 0}, 4987, -16675},       {{2, -1, 1, 0}, 4036, -12831},
     {{2, 0, 2, 0}, 3994, -10445},       {{4, 0, 0, 0}, 3861, -11650},       {{2, 0, -3, 0}, 3665, 14403},
 };
-// Table 47.B down to the same.
+// Table 47.B down to 0.002 degrees.
 constexpr Term kLatitude[] = {
-    {{0, 0, 0, 1}, 5128122, 0}, {{0, 0, 1, 1}, 280602, 0},  {{0, 0, 1, -1}, 277693, 0}, {{2, 0, 0, -1}, 173237, 0},
-    {{2, 0, -1, 1}, 55413, 0},  {{2, 0, -1, -1}, 46271, 0}, {{2, 0, 0, 1}, 32573, 0},   {{0, 0, 2, 1}, 17198, 0},
-    {{2, 0, 1, -1}, 9266, 0},   {{0, 0, 2, -1}, 8822, 0},   {{2, -1, 0, -1}, 8216, 0},  {{2, 0, -2, -1}, 4324, 0},
-    {{2, 0, 1, 1}, 4200, 0},
+    {{0, 0, 0, 1}, 5128122}, {{0, 0, 1, 1}, 280602},  {{0, 0, 1, -1}, 277693}, {{2, 0, 0, -1}, 173237},
+    {{2, 0, -1, 1}, 55413},  {{2, 0, -1, -1}, 46271}, {{2, 0, 0, 1}, 32573},   {{0, 0, 2, 1}, 17198},
+    {{2, 0, 1, -1}, 9266},   {{0, 0, 2, -1}, 8822},   {{2, -1, 0, -1}, 8216},  {{2, 0, -2, -1}, 4324},
+    {{2, 0, 1, 1}, 4200},    {{2, 1, 0, -1}, -3359},  {{2, -1, -1, 1}, 2463},  {{2, -1, 0, 1}, 2211},
+    {{2, -1, -1, -1}, 2065},
 };
 
 /// (47.3): of the sun, also (25.3) [rad].
-double meanAnomalyOfTheSun(double t) { return kDegree * (357.5291092 + t * (35999.0502909 - 1.536e-4 * t)); }
+double meanAnomalyOfTheSun(double t) { return kDegree * (357.5291092 + 35999.0502909 * t); }
 
 /// Obliquity of the ecliptic, (22.2) [rad].
 double obliquity(double t) { return kDegree * (23.4392911 - 0.0130042 * t); }
@@ -61,27 +62,28 @@ glm::dmat3 turnAboutZ(double angle) {
 
 }  // namespace
 
-// Chapter 25, low accuracy.
+// Chapter 25, low accuracy, without what comes to less than 0.0015 degrees in two centuries.
 Ecliptic sunAt(double centuries) noexcept {
   const double t = centuries;
   const double anomaly = meanAnomalyOfTheSun(t);
-  const double eccentricity = 0.016708634 - t * (4.2037e-5 + 1.267e-7 * t);
-  const double center = kDegree * ((1.914602 - t * (0.004817 + 1.4e-5 * t)) * std::sin(anomaly) +
-                                   (0.019993 - 1.01e-4 * t) * std::sin(2 * anomaly) + 2.89e-4 * std::sin(3 * anomaly));
-  const double mean = kDegree * (280.46646 + t * (36000.76983 + 3.032e-4 * t));
+  const double eccentricity = 0.016708634 - 4.2037e-5 * t;
+  const double center = kDegree * ((1.914602 - 0.004817 * t) * std::sin(anomaly) + 0.019993 * std::sin(2 * anomaly) +
+                                   2.89e-4 * std::sin(3 * anomaly));
+  const double mean = kDegree * (280.46646 + 36000.76983 * t);
   const double distance =
       1.000001018 * (1 - eccentricity * eccentricity) / (1 + eccentricity * std::cos(anomaly + center));
   return {mean + center + kAberrationOfTheSun, 0, kAstronomicalUnit * distance};
 }
 
-// Chapter 47 without the smallest terms; its mean longitude has the aberration in it.
+// Chapter 47, without the same and the smallest terms. Its mean longitude has the aberration in it.
 Ecliptic moonAt(double centuries) noexcept {
   const double t = centuries;
   const double mean = kDegree * (218.3164477 + t * (481267.88123421 - 1.5786e-3 * t));
-  const glm::dvec4 arguments(kDegree * (297.8501921 + t * (445267.1114034 - 1.8819e-3 * t)), meanAnomalyOfTheSun(t),
+  const glm::dvec4 arguments(kDegree * (297.8501921 + 445267.1114034 * t), meanAnomalyOfTheSun(t),
                              kDegree * (134.9633964 + t * (477198.8675055 + 8.7414e-3 * t)),
-                             kDegree * (93.2720950 + t * (483202.0175233 - 3.6539e-3 * t)));
-  Ecliptic moon{mean, 0, kMeanDistanceOfTheMoon};
+                             kDegree * (93.2720950 + 483202.0175233 * t));
+  const double ofVenus = kDegree * 0.003958 * std::sin(kDegree * (119.75 + 131.849 * t));
+  Ecliptic moon{mean + ofVenus, 0, kMeanDistanceOfTheMoon};
   for (const Term& term : kLongitudeAndDistance) {
     const double angle = glm::dot(term.multiples, arguments);
     moon.longitude += 1e-6 * kDegree * term.sine * std::sin(angle);

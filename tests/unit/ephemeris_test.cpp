@@ -132,15 +132,19 @@ TEST(Ephemeris, TheStarsTurnIsARotation) {
   }
 }
 
-TEST(Ephemeris, TheSunsPlaceAmongTheStarsIsTheSuns) {
+TEST(Ephemeris, SunAndMoonStandAmongTheStars) {
   // Noon of 22 August, in days since J2000.0.
   const std::pair<int, double> years[] = {{1810, -69163}, {2000, 234}, {2190, 69630}};
   for (const auto& [year, days] : years) {
     const double centuries = (days + terrestrialLead(days) / 86400) / 36525;
-    const glm::dvec3 amongStars = glm::transpose(precession(centuries)) * equatorial(sunAt(centuries), centuries);
     const Celestial sky = over(at(year, 8, 22, 12), 35, 20);
-    // As from the centre of the Earth: its parallax is 0.0024 degrees.
-    EXPECT_NEAR(between(sky.equatorialToWorld * amongStars, sunOf(sky)), 0, 0.0025) << year;
+    const auto expected = [&, now = centuries](const Ecliptic& position) {
+      const glm::dvec3 amongStars = glm::transpose(precession(now)) * equatorial(position, now);
+      return sky.equatorialToWorld * amongStars - glm::dvec3(0, 6371e3, 0);
+    };
+    EXPECT_NEAR(between(expected(sunAt(centuries)), sunOf(sky)), 0, 1e-5) << year;
+    EXPECT_NEAR(between(expected(moonAt(centuries)), moonOf(sky)), 0, 1e-5) << year;
+    EXPECT_NEAR(glm::length(expected(moonAt(centuries))), sky.moonDistance, 10) << year;
   }
 }
 
