@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
+#include <regex>
 
+#include "failure.hpp"
 #include "settings_file.hpp"
 
 namespace common {
@@ -18,6 +20,57 @@ Field colorField(std::string name, std::string help, const Range& range, glm::ve
           [range, &target](const std::string& where, const std::vector<std::string>& texts) {
             target = glm::vec3(parseVector(where, texts.front(), range));
           }};
+}
+
+pelagic::Place parsePlace(const std::string& where, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const Range latitude{-90, 90, "degrees"}, longitude{-360, 360, "degrees"};
+  if (parts.size() != 2) refuse(where, text, "LAT,LON: " + describe(latitude) + " and " + describe(longitude));
+  return {parsePart(where, text, parts[0], "latitude", latitude) * kDegree,
+          parsePart(where, text, parts[1], "longitude", longitude) * kDegree};
+}
+
+constexpr std::string_view kDates = "YYYY-MM-DDTHH:MM[:SS] in UTC, a day of the years 1800 to 2200";
+
+pelagic::CivilTime parseDate(const std::string& where, const std::string& text) {
+  static const std::regex form(R"((\d{4})-(\d\d)-(\d\d)T(\d\d):([0-5]\d)(?::([0-5]\d))?)");
+  std::smatch match;
+  if (!std::regex_match(text, match, form)) refuse(where, text, kDates);
+  const auto number = [&](std::size_t part) { return match[part].matched ? std::stoi(match[part]) : 0; };
+  const pelagic::CivilTime date{number(1), number(2), number(3), number(4) + number(5) / 60.0 + number(6) / 3600.0};
+  if (!pelagic::validate(date)) refuse(where, text, kDates);
+  return date;
+}
+
+/// What stands in the sky at the scene's date and place, where it has both.
+void lookUpSky(Scene& scene) {
+  if (!scene.date || !scene.place) return;
+  const pelagic::Celestial bodies = unwrap(pelagic::celestial(*scene.date, *scene.place));
+  scene.sky.sunElevation = bodies.sunElevation;
+  scene.sky.sunAzimuth = bodies.sunAzimuth;
+  scene.sky.moonElevation = bodies.moonElevation;
+  scene.sky.moonAzimuth = bodies.moonAzimuth;
+  scene.sky.moonIlluminated = bodies.moonIlluminated;
+  scene.sky.starsToWorld = bodies.equatorialToWorld;
+}
+
+/// Before the fields of sun and moon, which override what they say.
+Fields dateFields(Scene& scene) {
+  return {
+      {"place", "LAT,LON", "Where the date is seen, north and east positive, -90 to 90 and -360 to 360 degrees",
+       [&scene](const std::string& where, const std::vector<std::string>& texts) {
+         scene.place = parsePlace(where, texts.front());
+         lookUpSky(scene);
+       }},
+      {"date", "DATE",
+       fmt::format("Sun, moon and stars by date and place, +x east and +z south; their own options override it: {}",
+                   kDates),
+       [&scene](const std::string& where, const std::vector<std::string>& texts) {
+         scene.date = parseDate(where, texts.front());
+         if (!scene.place) refuse(where, texts.front(), "only with a place");
+         lookUpSky(scene);
+       }},
+  };
 }
 
 Fields sceneFields(Scene& scene) {
@@ -62,7 +115,7 @@ Fields lightFields(Scene& scene) {
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
                   scene.exposure),
   };
-  return sky + viewFields(scene.view);
+  return dateFields(scene) + sky + viewFields(scene.view);
 }
 
 void loadScene(const std::string& option, const std::string& name, Scene& scene) {
@@ -97,6 +150,10 @@ void addSceneOptions(Program& program, Scene& scene) {
   program.addFile("--sea", "Options of the sea from a file; its keys are their names, options override it", sea, "Sea");
   program.add(sea, "Sea");
   program.add(lightFields(scene), "Light, water and camera");
+  program.app().final_callback([&program, &scene] {
+    const CLI::Option& place = *program.app().get_option("--place");
+    if (place.count() > 0 && !scene.date) refuse("--place", place.as<std::string>(), "only with a date");
+  });
   program.app().footer(
       "Scene and sea files are TOML; their keys are the options' names: wind = 8, camera = [0, 3, 0],\n"
       "swell = [[1.1, 10, 95, 40]]. A scene also has title and time. --sea takes the keys of the group Sea.");

@@ -1,6 +1,8 @@
 /// A scene: sea, sky, water and camera of one picture.
 #pragma once
 
+#include <optional>
+#include <pelagic/ephemeris.hpp>
 #include <pelagic/ocean.hpp>
 #include <span>
 
@@ -15,6 +17,8 @@ struct Scene {
   double time = 0;  ///< [s]
   SeaSettings sea;
   pelagic::SkyState sky;
+  std::optional<pelagic::Place> place;     ///< Where the scene lies; then +x is east and +z south.
+  std::optional<pelagic::CivilTime> date;  ///< When.
   pelagic::WaterMedium medium;
   View view;
   double exposure = 0;  ///< [EV]

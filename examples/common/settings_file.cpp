@@ -76,16 +76,23 @@ void applySettings(const std::string& name, std::string_view text, const Fields&
     throw Failure(ExitCode::badInput,
                   fmt::format("{}:{}: {}, allowed: TOML", name, error.source().begin.line, error.description()));
   }
+  const auto lineOf = [&name](const toml::key& key) {
+    return fmt::format("{}:{}: {}", name, key.source().begin.line, key.str());
+  };
   for (const auto& [key, node] : table) {
-    const std::string where = fmt::format("{}:{}: {}", name, key.source().begin.line, key.str());
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key.str(); });
-    if (field == fields.end()) {
-      throw Failure(ExitCode::badInput, fmt::format("{} is an unknown key, allowed: {}", where, keys(fields)));
+    const bool known = std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key.str(); });
+    if (!known) {
+      throw Failure(ExitCode::badInput, fmt::format("{} is an unknown key, allowed: {}", lineOf(key), keys(fields)));
     }
-    const auto values = texts(node, field->repeatable);
+  }
+  for (const Field& field : fields) {
+    const auto entry = table.find(field.name);
+    if (entry == table.end()) continue;
+    const std::string where = lineOf(entry->first);
+    const auto values = texts(entry->second, field.repeatable);
     if (!values)
-      throw Failure(ExitCode::badInput, fmt::format("{} has the wrong type, allowed: {}", where, field->help));
-    field->set(where, *values);
+      throw Failure(ExitCode::badInput, fmt::format("{} has the wrong type, allowed: {}", where, field.help));
+    field.set(where, *values);
   }
 }
 
