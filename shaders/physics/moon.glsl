@@ -8,7 +8,7 @@ PELAGIC_PHYSICS_BEGIN
 // Irradiance of the full moon per the sun's, over the air: magnitude -12.73, 0.314 lx of 1.334e5 lx (Allen 1973).
 PELAGIC_FORMULA_CONSTANT float kFullMoon = 2.35e-6f;
 // The moon is redder than the sun: its albedo over the channels, 1 in luminance (Kieffer & Stone 2005).
-PELAGIC_FORMULA_CONSTANT vec3 kMoonTint = vec3(1.17f, 0.98f, 0.74f);
+PELAGIC_FORMULA_CONSTANT vec3 kMoonTint = vec3(1.12f, 0.985f, 0.80f);
 
 // Irradiance of the moon per the sun's when the part `illuminated` of its disc is lit: Allen's (1973) magnitudes
 // 0.026 |phi| + 4e-9 phi^4 below the full moon's, phi the phase angle in degrees, illuminated = (1 + cos phi)/2.

@@ -18,31 +18,29 @@ vec3 cloudAmbient(float height) {
 }
 
 // `d`: unit, `place`: of the eye in the tile, `air`: what the air adds per what it takes in the direction, `finest`: step
-// where there are clouds [m], `pixel`: angular size [rad], `steps`: at most. The field tells how far off the next cloud is at least: it changes by 1 in
-// 150 m along the layer; across it, no step passes more than an eighth of it.
+// where there are clouds [m], `pixel`: angular size [rad], `steps`: at most. The field tells how far off the next cloud is at
+// least: it changes by 1 in 150 m along the layer; across it, no step passes more than an eighth of it.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
                        vec3 air, float finest, float pixel, int steps) {
-  const float kFieldScale = 150.0, kSmallestBubble = 45.0, kMeanHole = 0.5;
+  const float kFieldScale = 150.0, kFarther = 0.02, kTorn = 1.1;
+  const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0, kMeanHole = 0.5;
   vec2 span = cloudSpan(altitude, d.y, base, top);
+  float most = 0.125 * (top - base) / max(abs(d.y), 0.02);
   float mu = dot(d, light.sunDirection.xyz);
-  // What the steps must reach; nearer the end of a long way they are longer.
-  float least = max(finest, (span.y - span.x) / float(steps));
-  float most = max(least, 0.125 * (top - base) / max(abs(d.y), 0.02));
-  // Bubbles that a step strides over are left out.
-  float torn = 1.1 * clamp(1.5 - least / kCloudDetailTile, 0.0, 1.0);
   vec3 seen = vec3(0);
   float through = 1.0, distance = 0.0;
-  float t = span.x + 0.5 * least;
+  float t = span.x + 0.5 * max(finest, kFarther * span.x);
   int i = 0;
   do {
     float h = altitudeAlong(altitude, d.y, t);
     vec3 at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
     vec2 cloud = textureLod(volume, at, 0).rg;
     float holes = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
-    float step = clamp(-kFieldScale * cloud.r, least, most);
-    // Nor are those smaller than a pixel.
-    float kept = clamp(1.5 - t * pixel / kSmallestBubble, 0.0, 1.0);
-    float density = t < span.y ? cloudDensity(cloud.r - torn * (mix(kMeanHole, holes, kept) - 0.3)) : 0.0;
+    // Far off, steps grow with the distance, and bubbles smaller than they or than a pixel are left out.
+    float least = max(finest, kFarther * t);
+    float step = clamp(-kFieldScale * cloud.r, least, max(least, most));
+    float kept = clamp(1.5 - max(t * pixel / kSmallestBubble, least / kLargestBubble), 0.0, 1.0);
+    float density = t < span.y ? cloudDensity(cloud.r - kTorn * (mix(kMeanHole, holes, kept) - 0.3)) : 0.0;
     float taken = 1.0 - exp(-kCloudExtinction * density * step);
     vec3 source = light.cloudSun.rgb * cloudScattering(mu, cloud.g) + cloudAmbient(clamp(at.z, 0.0, 1.0));
     seen += through * taken * source;

@@ -13,7 +13,7 @@ layout(binding = 3, std140) uniform Light { SkyLight light; };
 layout(binding = 4) uniform writeonly image2D clouds;
 #include "shared/cloud_march.glsl"
 
-const int kSteps = 96;
+const int kSteps = 128;
 const float kFinest = 45.0;  // [m]
 
 void main() {

@@ -146,7 +146,8 @@ TEST_F(RenderTest, EverySceneRenders) {
   const cli::Outcome list = run("render", "--list-scenes");
   EXPECT_EQ(list.status, 0);
   EXPECT_TRUE(files().empty());
-  for (const char* scene : {"calm-dawn", "trade-wind", "fresh-overcast", "gale", "sunset-glitter"}) {
+  for (const char* scene : {"altitude", "calm-dawn", "fresh-overcast", "gale", "moonlit", "noon-calm", "overcast-swell",
+                            "storm", "sunset-glitter", "trade-wind"}) {
     EXPECT_NE(list.out.find(scene), std::string::npos) << scene;
     succeed("render", fmt::format("--scene {} --output {}.png{}", scene, scene, kSmall));
     const cli::Image image = cli::readImage(path(fmt::format("{}.png", scene)));
