@@ -114,6 +114,11 @@ Fields lightFields(Scene& scene) {
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
                   scene.exposure),
+      {"metering", "off|on", "Whether the picture exposes itself to middle grey, and exposure is added: off, on",
+       [&scene](const std::string& where, const std::vector<std::string>& texts) {
+         if (texts.front() != "on" && texts.front() != "off") refuse(where, texts.front(), "off or on");
+         scene.metered = texts.front() == "on";
+       }},
   };
   return dateFields(scene) + sky + viewFields(scene.view);
 }
@@ -159,13 +164,17 @@ void addSceneOptions(Program& program, Scene& scene) {
       "swell = [[1.1, 10, 95, 40]]. A scene also has title and time. --sea takes the keys of the group Sea.");
 }
 
+pelagic::SkyState skyState(const Scene& scene) {
+  pelagic::SkyState sky = scene.sky;
+  const double wind = scene.sea.state.windSpeed, direction = scene.sea.state.windDirection;
+  sky.clouds.velocity = wind * glm::dvec2(std::cos(direction), std::sin(direction));
+  return sky;
+}
+
 pelagic::OceanInfo oceanInfo(const Scene& scene) {
   pelagic::OceanInfo info;
   info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);
-  info.sky = scene.sky;
-  // Clouds drift with the wind.
-  const double wind = scene.sea.state.windSpeed, direction = scene.sea.state.windDirection;
-  info.sky.clouds.velocity = wind * glm::dvec2(std::cos(direction), std::sin(direction));
+  info.sky = skyState(scene);
   info.medium = scene.medium;
   return info;
 }

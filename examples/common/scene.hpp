@@ -21,7 +21,8 @@ struct Scene {
   std::optional<pelagic::CivilTime> date;  ///< When.
   pelagic::WaterMedium medium;
   View view;
-  double exposure = 0;  ///< [EV]
+  double exposure = 0;   ///< [EV]
+  bool metered = false;  ///< The picture exposes itself, `exposure` is added.
 };
 
 /// A scene that is built into the programs, as TOML.
@@ -43,6 +44,8 @@ std::string listScenes();
 /// Loads the default scene and adds --scene and every option that changes a scene. `scene` must outlive the program.
 void addSceneOptions(Program& program, Scene& scene);
 
+/// The scene's sky, whose clouds drift with its wind.
+pelagic::SkyState skyState(const Scene& scene);
 pelagic::OceanInfo oceanInfo(const Scene& scene);
 
 }  // namespace common

@@ -128,9 +128,17 @@ void drawSea(common::SeaSettings& sea, Clock& clock, Changes& changes) {
 void drawLight(common::Scene& scene, Changes& changes) {
   changes.sky |= slide("Sun height [deg]", scene.sky.sunElevation, -90, 90, kDegree, "%.1f");
   changes.sky |= slide("Sun toward [deg]", scene.sky.sunAzimuth, -360, 360, kDegree, "%.0f");
+  changes.sky |= slide("Moon height [deg]", scene.sky.moonElevation, -90, 90, kDegree, "%.1f");
+  changes.sky |= slide("Moon toward [deg]", scene.sky.moonAzimuth, -360, 360, kDegree, "%.0f");
+  changes.sky |= slide("Moon's lit part", scene.sky.moonIlluminated, 0, 1);
   changes.sky |= slide("Overcast", scene.sky.overcast, 0, 1);
   changes.sky |= slide("Haze", scene.sky.haze, 0, 20);
+  changes.sky |= slide("Cloud cover", scene.sky.clouds.cover, 0, 1);
+  changes.sky |= slide("Cloud base [m]", scene.sky.clouds.base, 100, 8000, 1, "%.0f");
+  changes.sky |= slide("Cloud thickness [m]", scene.sky.clouds.thickness, 50, 4000, 1, "%.0f");
+  changes.sky |= ImGui::InputScalar("Cloud seed", ImGuiDataType_U32, &scene.sky.clouds.seed);
   slide("Exposure [EV]", scene.exposure, -32, 32);
+  ImGui::Checkbox("Metering", &scene.metered);
 }
 
 void drawWater(pelagic::WaterMedium& medium, Changes& changes) {

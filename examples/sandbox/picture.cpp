@@ -31,10 +31,11 @@ void Picture::bind(pelagic::Ocean& ocean) {
   view_ = common::unwrap(ocean.createView(targets));
 }
 
-void Picture::record(VkCommandBuffer commands, const pelagic::Camera& camera, double exposure,
+void Picture::record(VkCommandBuffer commands, const pelagic::Camera& camera, const common::Scene& scene,
                      pelagic::Timings& timings) {
   view_->record(commands, camera, &timings);
-  toneMap_.record(commands, static_cast<float>(exposure), &timings);
+  const auto exposure = static_cast<float>(scene.exposure);
+  scene.metered ? toneMap_.recordMetered(commands, exposure, &timings) : toneMap_.record(commands, exposure, &timings);
 }
 
 }  // namespace sandbox

@@ -26,7 +26,8 @@ class Picture {
   /// Another ocean draws into the same images from now on.
   void bind(pelagic::Ocean& ocean);
   void release() { view_.reset(); }
-  void record(VkCommandBuffer commands, const pelagic::Camera& camera, double exposure, pelagic::Timings& timings);
+  void record(VkCommandBuffer commands, const pelagic::Camera& camera, const common::Scene& scene,
+              pelagic::Timings& timings);
 
  private:
   common::OwnedImage hdr_;

@@ -124,7 +124,7 @@ class Sandbox {
           ocean_->setSea(scene_.sea.state, {clock_.time, clock_.speed > 0 ? clock_.change * clock_.speed : 0}));
       outgrown_ |= outgrown();
     }
-    if (changes.sky) common::unwrap(ocean_->setSky(scene_.sky));
+    if (changes.sky || changes.sea) common::unwrap(ocean_->setSky(common::skyState(scene_)));
     if (changes.water) common::unwrap(ocean_->setMedium(scene_.medium));
     if (outgrown_ && !ImGui::IsAnyItemActive()) {  // not while a slider moves
       rebuild();
@@ -174,7 +174,7 @@ class Sandbox {
     frame.commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
     frame.timings->reset(frame.commands);
     ocean_->record(frame.commands, clock_.time, &*frame.timings);
-    picture_->record(frame.commands, camera_.camera(aspect), scene_.exposure, *frame.timings);
+    picture_->record(frame.commands, camera_.camera(aspect), scene_, *frame.timings);
     overlay_.record(frame.commands);
     swapchain_->recordCopy(frame.commands, picture_->image(), index);
     frame.commands.end();

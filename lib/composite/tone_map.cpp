@@ -4,6 +4,7 @@
 #include <gpu/barrier.hpp>
 #include <gpu/compute_pass.hpp>
 
+#include "composite_meter_comp.spv.hpp"
 #include "composite_tone_map_comp.spv.hpp"
 
 namespace pelagic {
@@ -13,8 +14,12 @@ struct ToneMap::Impl {
   HostImage input;
   HostImage output;
   gpu::Unique<vk::Sampler> sampler;
-  gpu::ComputePass pass;
-  gpu::DescriptorSet set;
+  gpu::Buffer gain;  ///< One float, 2^EV.
+  gpu::ComputePass meter, pass;
+  gpu::DescriptorSet meterSet, set;
+
+  void recordInput(vk::CommandBuffer commands) noexcept;
+  void recordMap(vk::CommandBuffer commands) noexcept;
 };
 
 ToneMap::ToneMap(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
@@ -25,38 +30,71 @@ ToneMap::~ToneMap() = default;
 Result<ToneMap> ToneMap::create(Device& device, const ToneMapInfo& info) {
   PELAGIC_CHECK(validate(info));
   gpu::Context& context = device.context();
+  const auto sampled = vk::DescriptorType::eCombinedImageSampler, buffer = vk::DescriptorType::eStorageBuffer;
   PELAGIC_TRY(sampler,
               gpu::createSampler(context, "tone map", {vk::Filter::eNearest, vk::SamplerMipmapMode::eNearest}));
-  const gpu::Binding bindings[] = {{0, vk::DescriptorType::eCombinedImageSampler},
-                                   {1, vk::DescriptorType::eStorageImage}};
-  PELAGIC_TRY(pass, gpu::ComputePass::create(
-                        context, {"tone map", shaders::composite_tone_map_comp, bindings, sizeof(float), {}}));
+  PELAGIC_TRY(gain,
+              gpu::Buffer::create(context, Stage::composite, "exposure", sizeof(float),
+                                  vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst));
+  const gpu::Binding meterBindings[] = {{0, sampled}, {1, buffer}};
+  PELAGIC_TRY(meter, gpu::ComputePass::create(
+                         context, {"meter", shaders::composite_meter_comp, meterBindings, sizeof(float), {}}));
+  PELAGIC_TRY(meterSet, meter.createSet("meter"));
+  meterSet.sampled(0, info.input.view, *sampler);
+  meterSet.buffer(1, gain.handle());
+  const gpu::Binding bindings[] = {{0, sampled}, {1, vk::DescriptorType::eStorageImage}, {2, buffer}};
+  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {"tone map", shaders::composite_tone_map_comp, bindings, 0, {}}));
   PELAGIC_TRY(set, pass.createSet("tone map"));
   set.sampled(0, info.input.view, *sampler);
   set.storageImage(1, info.output.view);
-  return ToneMap(std::make_unique<Impl>(
-      Impl{&context, info.input, info.output, std::move(sampler), std::move(pass), std::move(set)}));
+  set.buffer(2, gain.handle());
+  return ToneMap(std::make_unique<Impl>(Impl{&context, info.input, info.output, std::move(sampler), std::move(gain),
+                                             std::move(meter), std::move(pass), std::move(meterSet), std::move(set)}));
+}
+
+void ToneMap::Impl::recordInput(vk::CommandBuffer commands) noexcept {
+  const auto aspect = vk::ImageAspectFlagBits::eColor;
+  ImageState unread = output.before;
+  unread.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  gpu::Barrier()
+      .image(input.image, aspect, input.before, gpu::kComputeSampled)
+      .image(output.image, aspect, unread, gpu::kComputeStorageWrite)
+      .record(*context, commands);
+}
+
+void ToneMap::Impl::recordMap(vk::CommandBuffer commands) noexcept {
+  const auto aspect = vk::ImageAspectFlagBits::eColor;
+  gpu::Barrier().buffer(gain, gpu::kComputeRead).record(*context, commands);
+  pass.bind(commands, set);
+  pass.dispatch(commands, gpu::groups(output.extent.width, 8), gpu::groups(output.extent.height, 8));
+  gpu::Barrier()
+      .image(input.image, aspect, gpu::kComputeSampled, input.after)
+      .image(output.image, aspect, gpu::kComputeStorageWrite, output.after)
+      .record(*context, commands);
 }
 
 void ToneMap::record(VkCommandBuffer commandBuffer, float exposure, Timings* timings) noexcept {
   const vk::CommandBuffer commands(commandBuffer);
-  const gpu::Context& context = *impl_->context;
-  const auto aspect = vk::ImageAspectFlagBits::eColor;
-  ImageState unread = impl_->output.before;
-  unread.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  Impl& map = *impl_;
   if (timings) timings->begin(commands, "tone map");
-  gpu::Barrier()
-      .image(impl_->input.image, aspect, impl_->input.before, gpu::kComputeSampled)
-      .image(impl_->output.image, aspect, unread, gpu::kComputeStorageWrite)
-      .record(context, commands);
-  impl_->pass.bind(commands, impl_->set);
-  impl_->pass.push(commands, std::exp2(std::clamp(exposure, -32.0f, 32.0f)));
-  impl_->pass.dispatch(commands, gpu::groups(impl_->output.extent.width, 8),
-                       gpu::groups(impl_->output.extent.height, 8));
-  gpu::Barrier()
-      .image(impl_->input.image, aspect, gpu::kComputeSampled, impl_->input.after)
-      .image(impl_->output.image, aspect, gpu::kComputeStorageWrite, impl_->output.after)
-      .record(context, commands);
+  map.recordInput(commands);
+  gpu::Barrier().buffer(map.gain, gpu::kTransferWrite).record(*map.context, commands);
+  const float gain = std::exp2(std::clamp(exposure, -32.0f, 32.0f));
+  commands.updateBuffer(map.gain.handle(), 0, sizeof(gain), &gain, map.context->dispatch);
+  map.recordMap(commands);
+  if (timings) timings->end(commands);
+}
+
+void ToneMap::recordMetered(VkCommandBuffer commandBuffer, float compensation, Timings* timings) noexcept {
+  const vk::CommandBuffer commands(commandBuffer);
+  Impl& map = *impl_;
+  if (timings) timings->begin(commands, "tone map");
+  map.recordInput(commands);
+  gpu::Barrier().buffer(map.gain, gpu::kComputeWrite).record(*map.context, commands);
+  map.meter.bind(commands, map.meterSet);
+  map.meter.push(commands, std::clamp(compensation, -32.0f, 32.0f));
+  map.meter.dispatch(commands, 1);
+  map.recordMap(commands);
   if (timings) timings->end(commands);
 }
 

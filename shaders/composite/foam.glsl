@@ -58,7 +58,7 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   foam.cover = min(share * 50.0, 1.0) / (1.0 + exp(-1.702 * clamp(z, -30.0, 30.0)));
   // Thin toward the edges of a patch, and thinner with age.
   float thickness = clamp(0.3 + 1.2 * (pattern.height - level), 0.0, 1.0);
-  foam.albedo = mix(0.35, 0.85, thickness * sqrt(share));
+  foam.albedo = mix(0.5, 0.85, thickness * sqrt(share));
   return foam;
 }
 

@@ -6,9 +6,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D inputImage;
 layout(binding = 1) uniform writeonly image2D outputImage;
-layout(push_constant) uniform Push {
-  float gain;  // 2^EV
-};
+layout(binding = 2, std430) readonly buffer Gain { float gain; };  // 2^EV
 
 // Interleaved gradient noise (Jimenez 2014): 0 ... 1, evenly spread over every 3 x 3 pixels, the same in each frame.
 float ditherNoise(uvec2 place) {

@@ -22,5 +22,15 @@ PELAGIC_FORMULA vec3 encodeSrgb(vec3 x) {
   return mix(high, 12.92f * x, vec3(lessThanEqual(x, vec3(0.0031308f))));
 }
 
+// What a pixel counts in the metering: its luminance in stops. Black and the sun's disc count as the ends of what a picture
+// can show around middle grey, lest a few pixels turn all.
+PELAGIC_FORMULA float meteredStops(vec3 radiance) {
+  float luminance = dot(radiance, vec3(0.2126f, 0.7152f, 0.0722f));
+  return log2(clamp(luminance, 1e-5f, 100.0f));
+}
+
+// Exposure [EV] that brings a mean of so many stops to middle grey, 0.18.
+PELAGIC_FORMULA float meteredExposure(float stops) { return -2.4739312f - stops; }
+
 PELAGIC_PHYSICS_END
 #endif
