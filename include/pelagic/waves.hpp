@@ -14,6 +14,10 @@ namespace pelagic {
 
 inline constexpr std::uint32_t kMaxCascades = 8;
 
+/// Share of a cascade's slope variance that is lost between the texels of each mip, the finest first [1]. In mips
+/// coarser than these, whose texels are longer than any wave (waveLayout()), nothing is left to be lost.
+using InterpolationLoss = std::array<double, 8>;
+
 /// One FFT patch: an axis-aligned square of the sea, repeated.
 struct Cascade {
   double length = 0;  ///< L [m]; sample (i,j) lies at x = j L/N, z = i L/N.
@@ -92,6 +96,9 @@ struct WaveMaps {
   SlopeVariance unresolved;
   /// Expected slope variance of each cascade along x, along z and their covariance [1].
   std::array<glm::dvec3, kMaxCascades> slopeCovariance{};
+  /// By how much of it a linear filter smooths the gradients of each mip, in the mean over places between the texels.
+  /// `moments` holds what is lost within texels alone: add this times slopeCovariance where maps are sampled linearly.
+  std::array<InterpolationLoss, kMaxCascades> interpolationLoss{};
   /// Standard deviation of the elevation [m], Hs/4 on the grid, where the gain is largest, or more where trochoids may
   /// meet; no crest is expected above 6 of them.
   double elevationDeviation = 0;

@@ -5,8 +5,8 @@
 
 namespace pelagic {
 
-/// Mean of the exact reflectance over the slopes seen at `cosView` to the mean normal, for Gaussian slopes with the
-/// same `deviation` in every direction [1].
+/// Mean of the exact reflectance over the slopes seen at `cosView` to the mean normal (seenSlopes() in
+/// shaders/physics/ocean_brdf.glsl), for Gaussian slopes with the same `deviation` in every direction [1].
 double meanFresnel(double cosView, double deviation);
 
 /// kFresnelTableWidth x kFresnelTableHeight entries, row by row, laid out as physics/fresnel.glsl says.

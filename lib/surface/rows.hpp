@@ -37,7 +37,8 @@ struct RowDensity {
 
 /// Longest cell relative to its width where waves are large.
 inline constexpr double kAspect = 4;
-/// But at most this many rows more than a flat sea needs: no use in rows closer than a pixel.
-inline constexpr double kFlatter = 8;
+/// But at most this many rows more than a flat sea needs. Crests against the sky need rows that would lie within a
+/// pixel of each other if the sea were flat.
+inline constexpr double kFlatter = 16;
 
 }  // namespace pelagic::surface

@@ -3,7 +3,9 @@
 #include <gpu/context.hpp>
 #include <numbers>
 #include <sstream>
+#include <waves/closure.hpp>
 #include <waves/grid_sea.hpp>
+#include <waves/interpolation.hpp>
 #include <waves/peak.hpp>
 #include <waves/trochoids.hpp>
 #include <waves/whitecaps.hpp>
@@ -14,7 +16,7 @@ namespace {
 constexpr double kTwoPi = 2 * std::numbers::pi;
 /// Waves that break into foam that stays for seconds are longer than this [m].
 constexpr double kShortestFoamingWave = 1;
-/// Wave number where the sea's slopes end [rad/m]: 0.6 mm.
+/// Largest wave number of a layout [rad/m]: 0.6 mm.
 constexpr double kShortestWave = 1e4;
 
 template <class T>
@@ -137,6 +139,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     grid.amplitudes.insert(grid.amplitudes.end(), modes.amplitude.begin(), modes.amplitude.end());
     grid.constants.insert(grid.constants.end(), modes.constants.begin(), modes.constants.end());
     grid.moments.slopes[c] = moments.slopes;
+    grid.moments.interpolationLoss[c] = interpolationLoss(modes, layout.size);
     grid.moments.elevation += moments.elevation;
     grid.moments.horizontal += moments.horizontal;
     grid.cascades[c].waveNumberStep = static_cast<float>(kTwoPi / layout.cascades[c].length);
@@ -161,7 +164,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
   report.wavelengthsInPatch = layout.cascades[0].length / longestPeakWavelength(sea);
   report.target = coxMunkSlopes(sea.windSpeed);
   report.grid = alongWind(slopes, sea.windDirection);
-  const SlopeVariance tail = slopeVariance(sea, layout.cascades[layout.count - 1].kMax, kShortestWave);
+  const SlopeVariance tail = slopeVariance(sea, layout.cascades[layout.count - 1].kMax, shortestWaveNumber(sea));
   report.unresolved = {std::max(report.target.upwind - report.grid.upwind, tail.upwind),
                        std::max(report.target.crosswind - report.grid.crosswind, tail.crosswind)};
   report.steepnessScale = trochoids.steepnessScale;

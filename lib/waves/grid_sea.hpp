@@ -16,6 +16,7 @@ struct SeaMoments {
   double trochoidHeight = 0;
   double trochoidReach = 0;
   std::array<glm::dvec3, kMaxCascades> slopes{};
+  std::array<InterpolationLoss, kMaxCascades> interpolationLoss{};  ///< As in WaveMaps.
 };
 
 /// Standard deviation of the elevation, and of the length of the horizontal displacement [m], or as much more as puts

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <waves/closure.hpp>
 #include <waves/modes.hpp>
 
 namespace pelagic {
@@ -67,10 +68,11 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
   modes.amplitude.assign(total, glm::vec4(0));
   modes.constants.assign(total, {});
   modes.variance.assign(total, 0.0);
+  const double kMax = std::fmin(patch.kMax, shortestWaveNumber(sea));
   const auto exists = [&](std::uint32_t row, std::uint32_t column) {
     if (row == n / 2 || column == n / 2) return false;
     const double k = dk * std::hypot(modeOf(column, n), modeOf(row, n));
-    return k > 0 && k >= patch.kMin && k < patch.kMax;
+    return k > 0 && k >= patch.kMin && k < kMax;
   };
   for (std::uint32_t row = 0; row < n; ++row) {
     for (std::uint32_t column = 0; column < n; ++column) {

@@ -28,7 +28,7 @@ struct CascadeModes {
 };
 
 /// Deterministic in (seed, cascade, mode) on every machine. DC, the Nyquist row and column, and modes outside
-/// [kMin, kMax) are zero. `trochoids`: the sea's, on this layout.
+/// [kMin, kMax) or beyond shortestWaveNumber() are zero. `trochoids`: the sea's, on this layout.
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod,
                        const GridTrochoids& trochoids);
 CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint32_t cascade, double loopPeriod);

@@ -131,6 +131,9 @@ SeaMoments SeaChange::momentsAt(double share) const noexcept {
     slopes = glm::dvec3(std::max(0.0, slopes.x), std::max(0.0, slopes.y), slopes.z);
     const double most = std::sqrt(slopes.x * slopes.y);
     slopes.z = std::clamp(slopes.z, -most, most);
+    for (std::size_t mip = 0; mip < mixed.interpolationLoss[c].size(); ++mip) {
+      mixed.interpolationLoss[c][mip] = glm::mix(a.interpolationLoss[c][mip], b.interpolationLoss[c][mip], share);
+    }
   }
   return mixed;
 }

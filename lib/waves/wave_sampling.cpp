@@ -18,6 +18,10 @@ shader::WaveSampling waveSampling(const WaveMaps& maps, const glm::dvec2& origin
     constexpr double kApart = shader::kPatchesApart;
     sampling.patches[c] = glm::vec4(glm::dvec4(patch - kApart * glm::floor(patch / kApart), 0, 0));
     sampling.slopeCovariance[c] = glm::vec4(glm::vec3(maps.slopeCovariance[c]), 0);
+    for (int mip = 0; mip < 8; ++mip) {
+      sampling.interpolationLoss[2 * c + static_cast<std::uint32_t>(mip) / 4][mip % 4] =
+          static_cast<float>(maps.interpolationLoss[c][static_cast<std::size_t>(mip)]);
+    }
   }
   // From wind axes to world axes.
   const double c = std::cos(maps.windDirection);

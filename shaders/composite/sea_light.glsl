@@ -5,13 +5,15 @@
 #include "physics/ocean_brdf.glsl"
 #include "physics/optics.glsl"
 
-float meanFresnel(float cosView, float deviation) {
+// Mean reflectance, and its derivative by cosView.
+vec2 meanFresnel(float cosView, float deviation) {
   vec2 place = fresnelTablePlace(cosView, deviation);
   ivec2 low = min(ivec2(place), ivec2(kFresnelTableWidth - 2, kFresnelTableHeight - 2));
   vec2 f = place - vec2(low);
   int i = low.y * kFresnelTableWidth + low.x;
-  return mix(mix(fresnelTable[i], fresnelTable[i + 1], f.x),
-             mix(fresnelTable[i + kFresnelTableWidth], fresnelTable[i + kFresnelTableWidth + 1], f.x), f.y);
+  float a = mix(fresnelTable[i], fresnelTable[i + kFresnelTableWidth], f.y);
+  float b = mix(fresnelTable[i + 1], fresnelTable[i + kFresnelTableWidth + 1], f.y);
+  return vec2(mix(a, b, f.x), (b - a) * (0.5 * float(kFresnelTableWidth - 1)) * inversesqrt(max(cosView, 1e-3)));
 }
 
 // Place of a stereographic direction in the environment map; below the horizon, the horizon.
@@ -19,9 +21,10 @@ vec2 environmentPlace(vec2 s) {
   return 0.5 + 0.5 * kEnvironmentScale * s * min(1.0, inversesqrt(max(dot(s, s), 1e-8)));
 }
 
-// Mean radiance of the sky over what facets mirror whose slopes are Gaussian about that of `mirror`: two taps along the longer
-// axis of the ellipse that two standard deviations make in the map. Centres below the horizon move to its rim; the ellipse
-// about them stays that of the unclamped place.
+// Mean radiance of the sky over what facets mirror whose slopes are Gaussian about that of `mirror`: two taps on the longer
+// axis of the ellipse that they make in the map, of a blur as wide as the shorter one but not too round to meet, so that both
+// together have the ellipse's second moments. Centres below the horizon move to its rim; the ellipse about them stays that of
+// the unclamped place.
 vec3 environment(Mirrored mirror, vec3 covariance) {
   vec2 u = environmentPlace(mirror.place);
   vec2 ux = 0.5 * kEnvironmentScale * mirror.alongX;
@@ -38,9 +41,10 @@ vec3 environment(Mirrored mirror, vec3 covariance) {
   float minor = sqrt(max(centre - spread, 0.0));
   vec2 axis = abs(xy) > 1e-12 ? normalize(vec2(xy, centre + spread - xx)) : (xx > yy ? vec2(1, 0) : vec2(0, 1));
   float size = float(textureSize(environmentMap, 0).x);
-  float lod = log2(max(2.0 * size * max(minor, 0.6 * major), 1.0));
-  vec4 sum = textureLod(environmentMap, u - 0.75 * major * axis, lod) +
-             textureLod(environmentMap, u + 0.75 * major * axis, lod);
+  float blur = max(minor, 0.6 * major);
+  float lod = log2(max(1.3 * size * blur, 1.0));
+  vec2 tap = sqrt(max(major * major - blur * blur, 0.0)) * axis;
+  vec4 sum = textureLod(environmentMap, u - tap, lod) + textureLod(environmentMap, u + tap, lod);
   return sum.rgb / max(sum.a, 0.02);
 }
 
@@ -60,16 +64,20 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 horizon) {
   vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(sunlight, light.sunDirection.y,
                                                           light.skyIrradiance.rgb);
 
-  float deviation = seen.deviation * inversesqrt(max(dot(v.xz, v.xz), 1e-6)) * sea.normal.y;
-  float fresnel = meanFresnel(dot(v, sea.normal), deviation);
-  vec2 slope = sea.slope + visibleShift(seen, v, sea.residual);
-  vec3 covariance = visibleCovariance(seen, v, sea.residual);
+  float perHorizontal = inversesqrt(max(dot(v.xz, v.xz), 1e-6));
+  float deviation = seen.deviation * perHorizontal * sea.normal.y;
+  vec2 reflectance = meanFresnel(dot(v, sea.normal), deviation);
+  float fresnel = reflectance.x;
+  // Facets count by their reflectance, and so those turned away from the view more, by Stein's lemma as its logarithm's slope
+  // moves the mean; less where that bends.
+  SeenSlopes facets = seenSlopes(seen, v, sea.residual);
+  vec2 slope = sea.slope + facets.shift - 0.7 * reflectance.y / fresnel * covarianceTimes(facets.covariance, v.xz);
   Mirrored centre = mirroredBy(slope, v);
-  vec3 sky = environment(centre, covariance);
-  // Part of the facets mirror what lies below the horizon, which is sea: the sky once more, mirrored at grazing incidence.
-  float spread = 2.0 * sqrt(max(covarianceAlong(covariance, v.xz * inversesqrt(max(dot(v.xz, v.xz), 1e-6))), 1e-8));
+  vec3 sky = environment(centre, facets.covariance);
+  // Part of the facets mirror what lies below the horizon, which is sea: it returns nearly half of the same sky.
+  float spread = 2.0 * sqrt(max(covarianceAlong(facets.covariance, v.xz * perHorizontal), 1e-8));
   float above = 1.0 / (1.0 + exp(-1.702 * clamp(centre.elevation / spread, -20.0, 20.0)));
-  vec3 reflected = mix(0.5 * (sky + under), sky, above);
+  vec3 reflected = mix(mix(under, sky, 0.45), sky, above);
 
   vec2 mirror = mirrorSlope(v, l);
   vec3 h = normalize(v + l);

@@ -53,11 +53,15 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     vec3 place = vec3(waveUv(placement, q), float(c));
     vec4 g = textureLod(gradientMap, place, lod);
     vec4 m = textureLod(momentsMap, place, lod);
-    // Toward the end of what is resolved, all goes over into the expected variance.
+    // Toward the end of what is resolved, all goes over into the expected variance. That of the sampled mean is less than
+    // what is missing in m by what it was smoothed between the texels.
     float kept = clamp(endLod - lod, 0.0, 1.0);
+    float power = kept * kept;
+    uint mip = uint(min(lod + 0.5, 7.0));
+    float lost = 1.0 - power + power * frame.waves.interpolationLoss[2u * c + (mip >> 2)][mip & 3u];
     float gain = gainAt(p, c);
     gradient += kept * gain * g;
-    moments += gain * vec4(gain * mix(frame.waves.slopeCovariance[c].xyz, m.xyz, kept), kept * m.w);
+    moments += gain * vec4(gain * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz), kept * m.w);
   } while (++c < cascades);
   for (; c < frame.waves.cascades; ++c) {
     float gain = gainAt(p, c);

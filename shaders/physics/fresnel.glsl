@@ -21,7 +21,7 @@ PELAGIC_FORMULA float fresnelReflectance(float cosIncidence, float index) {
 }
 
 // Mean reflectance of a rough sea, the fit of Bruneton et al. (2010) with Schlick's law: the reference path, off by up to
-// 0.11. Shading uses a table integrated from fresnelReflectance().
+// 0.16. Shading uses a table integrated from fresnelReflectance().
 PELAGIC_FORMULA float meanFresnelFit(float cosView, float deviation) {
   float r = 0.02f;
   float schlick = pow(1.0f - cosView, 5.0f * exp(-2.69f * deviation));

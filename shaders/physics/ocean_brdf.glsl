@@ -73,18 +73,43 @@ PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
 // facet turned toward the light.
 PELAGIC_FORMULA float smithLambda(Visibility r) { return max(r.area / r.mean - 1.0f, 0.0f); }
 
-// Mean of the slopes seen, relative to the mean of all: facets turned toward the viewer count more.
-// E[(s - m) max(X,0)] / E[max(X,0)] = -C vh Phi / E, by Stein's lemma.
-PELAGIC_FORMULA vec2 visibleShift(Visibility r, vec3 v, vec3 c) {
-  return covarianceTimes(c, vec2(v.x, v.z)) * (-r.fraction / r.area);
-}
+// Which facets are seen. Smith's law hides one facet as well as another; on a sea, whose waves carry ever smaller ones, a
+// facet is in sight when all the longer waves it sits on face the viewer as well. From the long waves to the short X is a
+// random walk that starts at mu and ends where it turns away, so that by the principle of reflection a facet of X is seen in
+// proportion to max(X,0) (1 - exp(-2 (X + b tau)(mu + b tau)/tau^2)): Smith's law has b = infinity, a continuous walk 0. A
+// walk of n steps has b = 0.58/sqrt(n) (Broadie, Glasserman & Kou 1997). 0.2 is what surfaces traced by rays show whose
+// shortest waves are 1/30 as long as the longest.
+PELAGIC_FORMULA_CONSTANT float kSightMargin = 0.2f;
 
-// Covariance of the slopes seen, about their own mean.
-PELAGIC_FORMULA vec3 visibleCovariance(Visibility r, vec3 v, vec3 c) {
-  vec2 g = covarianceTimes(c, vec2(v.x, v.z));
-  float share = r.fraction / r.area;
-  float k = r.density / (r.deviation * r.area) - share * share;
-  return c + k * vec3(g.x * g.x, g.y * g.y, g.x * g.y);
+// Mean and covariance of the slopes seen.
+struct SeenSlopes {
+  vec2 shift;  // of the mean, from that of all slopes
+  vec3 covariance;
+};
+
+// With x = X/tau, z = mu/tau and y = z + 2b the density is x (phi(x - z) - phi(x + y)): what Smith's law sees less its image.
+// X alone is not Gaussian then; the slopes follow it by s - m = -C vh (X - mu)/tau^2.
+PELAGIC_FORMULA SeenSlopes seenSlopes(Visibility r, vec3 v, vec3 c) {
+  float at = r.mean / r.deviation;
+  float z = max(at, 0.0f);  // a mean facet turned away is seen as one edge on
+  float density = at > 0.0f ? r.density : 0.39894228f;
+  float fraction = at > 0.0f ? r.fraction : 0.5f;
+  float y = min(z + 2.0f * kSightMargin, 12.0f);
+  float imageDensity = 0.39894228f * exp(-0.5f * y * y);
+  float tail = 2.50662827f * imageDensity * scaledTail(y);
+  // Of the image: area, and first and second moments of x about z.
+  float area = imageDensity - y * tail;
+  float first = (y * y + 1.0f) * tail - y * imageDensity;
+  float second = (y * y + 2.0f) * imageDensity - (y * y + 3.0f) * y * tail - z * (2.0f * first - z * area);
+  first -= z * area;
+  float seen = z * fraction + density - area;
+  float mean = (fraction - first) / seen;                         // E[x] - z
+  float excess = (density + area - second) / seen - mean * mean;  // Var[x] - 1
+  vec2 g = covarianceTimes(c, vec2(v.x, v.z)) / r.deviation;
+  SeenSlopes s;
+  s.shift = g * (at - z - mean);
+  s.covariance = c + excess * vec3(g.x * g.x, g.y * g.y, g.x * g.y);
+  return s;
 }
 
 // Slope of the facet that mirrors l to v.

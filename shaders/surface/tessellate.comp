@@ -23,15 +23,15 @@ layout(set = 0, binding = 6) uniform sampler2DArray gainMap;
 
 shared uint outside;  // bits of what every vertex of the block lies outside of
 
-// Low-passed to the grid's spacing `footprint` [m], so that the moving grid never shows: waves shorter than a cell are
-// left to shading.
+// Low-passed to half the grid's spacing `footprint` [m], so that the moving grid hardly shows: waves shorter than a cell
+// are left to shading. Texels as long as cells would take a quarter off waves of four cells.
 vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
   vec3 sum = vec3(0);
   vec2 q = p + waveWarp(frame.waves.warp, p);
   uint c = 0;
   do {  // there is at least one, and software devices run a body that a loop's head has masked out
     vec4 placement = frame.waves.placement[c];
-    float lod = waveLod(placement, float(frame.waves.size), footprint);
+    float lod = waveLod(placement, float(frame.waves.size), 0.5 * footprint);
     // The last mip is the patch's mean, which is zero.
     float gain = kGain ? waveGain(gainMap, frame.waves.gain, p, c) : 1.0;
     if (lod < frame.waves.maxLod) sum += gain * textureLod(map, vec3(waveUv(placement, q), float(c)), lod).xyz;

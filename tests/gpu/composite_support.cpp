@@ -133,7 +133,7 @@ void SyntheticScene::createImages() {
   hostColorImage_ = image(Format::eR16G16B16A16Sfloat, extent, Usage::eSampled);
   hostDepthImage_ = image(Format::eD32Sfloat, extent, Usage::eSampled);
   const vk::ImageUsageFlags written = Usage::eStorage | Usage::eTransferSrc;
-  output_ = image(Format::eR16G16B16A16Sfloat, extent, written);
+  output_ = image(Format::eR32G32B32A32Sfloat, extent, written);
   normalImage_ = image(Format::eR32G32B32A32Sfloat, extent, written);
   varianceImage_ = image(Format::eR32G32Sfloat, extent, written);
   mergedImage_ = image(Format::eR32Sfloat, extent, written);
@@ -168,6 +168,7 @@ void SyntheticScene::fillMaps() {
   waves.displacement = waves.gradient;
   skyMaps_.radiance = mapOf(radianceImage_, *radianceImage_.view);
   skyMaps_.environment = mapOf(environmentImage_, *environmentImage_.view);
+  if (realSky) skyMaps_ = realSky->maps();
   skyMaps_.light = *lightBuffer_;
   skyMaps_.lightSize = sizeof(light);
   water_.position = mapOf(positionImage_, *positionImage_.view);

@@ -23,6 +23,7 @@ class SyntheticScene {
   std::array<float, 4> moments{0, 0, 0, 0};
   float foam = 0;
   std::array<float, 4> sky{0.2f, 0.3f, 0.4f, 1};
+  const pelagic::Sky* realSky = nullptr;  ///< Its maps are used instead, `light` stays.
   std::array<float, 4> hostColor{7, 8, 9, 1};
   pelagic::shader::SkyLight light{};
   pelagic::WaveMaps waves;

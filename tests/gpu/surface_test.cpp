@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "surface_fixture.hpp"
+#include "water_defects.hpp"
 
 namespace {
 
@@ -11,7 +12,7 @@ TEST_F(SurfaceTest, FlatSeaIsTheSphere) {
   makeView(kExtent, 8);
   std::mt19937 random(1);
   for (int n = 0; n < 240; ++n) {
-    const pelagic::Camera camera = randomCamera(random, 0.3, 20e3);
+    const pelagic::Camera camera = randomCamera(random, 0.3, 20e3, kExtent);
     const Water water = draw(camera);
     int holes = 0, excess = 0, wrongDepth = 0, wrongPosition = 0, hits = 0;
     for (std::uint32_t y = 0; y < kExtent.height; ++y) {
@@ -53,17 +54,6 @@ TEST_F(SurfaceTest, FlatSeaIsTheSphere) {
   }
 }
 
-/// Whether every ray around a pixel meets the sphere raised by `level`, so that water must be seen there.
-bool mustShowWater(const pelagic::Camera& camera, const glm::dvec2& uv, VkExtent2D extent, double level) {
-  for (const glm::dvec2 offset : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
-    const glm::dvec3 direction = ray(camera, uv + offset / glm::dvec2(extent.width, extent.height));
-    if (hitSphere(camera, direction, level) < 0) return false;
-    // From below the sphere closes beyond every horizon.
-    if (level > camera.position.y && direction.y < 0.02 * glm::length(direction)) return false;
-  }
-  return true;
-}
-
 TEST_F(SurfaceTest, WavesLeaveNoHole) {
   const Wave wave{2, {8, 3}, 0.9, 0.4};
   makeSea(wave, wave);
@@ -71,7 +61,7 @@ TEST_F(SurfaceTest, WavesLeaveNoHole) {
   std::mt19937 random(2);
   int inTroughs = 0, fromBelow = 0;
   for (int n = 0; n < 400; ++n) {
-    pelagic::Camera camera = randomCamera(random, 0.3, 2e3);
+    pelagic::Camera camera = randomCamera(random, 0.3, 2e3, kExtent);
     const double surface = wave.heightBelow({camera.position.x, camera.position.z});
     if (n % 2 == 1) camera.position.y = surface + between(random, 0.5, 4);
     if (n % 8 == 0) {
@@ -230,11 +220,11 @@ TEST_F(SurfaceTest, ViewsDoNotDisturbEachOther) {
   const auto far = surface_scene::camera({9e3, 900, 5e4}, 2, -0.9, 1, {0.5}, otherExtent);
   const Water alone = draw(near);
 
-  auto other = pelagic::SurfaceView::create(*surface_, sea_->maps(), otherExtent);
+  auto other = pelagic::SurfaceView::create(*surface_, maps_, otherExtent);
   ASSERT_TRUE(other) << other.error().message;
   gpu().run([&](vk::CommandBuffer commands) {
-    view_->record(commands, sea_->maps(), near);
-    other->record(commands, sea_->maps(), far);
+    view_->record(commands, maps_, near);
+    other->record(commands, maps_, far);
   });
   const Water together = read(gpu(), view_->buffer());
   EXPECT_EQ(alone.body, together.body);
@@ -254,12 +244,12 @@ TEST_F(SurfaceTest, BadValuesAreNamed) {
   }
   makeView(kExtent, 8);
   for (const VkExtent2D extent : {VkExtent2D{0, 10}, VkExtent2D{10, 0}, VkExtent2D{16385, 10}, VkExtent2D{10, ~0u}}) {
-    const auto view = pelagic::SurfaceView::create(*surface_, sea_->maps(), extent);
+    const auto view = pelagic::SurfaceView::create(*surface_, maps_, extent);
     ASSERT_FALSE(view);
     EXPECT_EQ(view.error().code, pelagic::ErrorCode::invalidArgument);
     EXPECT_NE(view.error().message.find("extent is " + std::to_string(extent.width)), std::string::npos);
   }
-  pelagic::WaveMaps maps = sea_->maps();
+  pelagic::WaveMaps maps = maps_;
   maps.displacementPair[1] = {};
   const auto view = pelagic::SurfaceView::create(*surface_, maps, kExtent);
   ASSERT_FALSE(view);

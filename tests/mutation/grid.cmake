@@ -74,6 +74,24 @@ wrong_formula(foaming_length RIGHT "kTwoPi / kShortestFoamingWave" WRONG "1 / kS
 wrong_formula(unresolved RIGHT "report.target.upwind - report.grid.upwind"
               WRONG "report.target.upwind + report.grid.upwind" CAUGHT_BY GridSea.ReportsSlopesAlongTheWind)
 
+set(source closure.cpp)
+wrong_formula(wave_number RIGHT "kStep * k * k * k" WRONG "kStep * k * k"
+              CAUGHT_BY SlopeBudget.WavesEndWhereTheLawsSlopesReachTheMeasured)
+wrong_formula(only_upwind RIGHT "measured.upwind + measured.crosswind" WRONG "measured.upwind"
+              CAUGHT_BY SlopeBudget.WavesEndWhereTheLawsSlopesReachTheMeasured)
+wrong_formula(within_the_peak RIGHT "10 * peak" WRONG "peak"
+              CAUGHT_BY SlopeBudget.HoldsTheWavesThatCarryTheHeightInTheFaintestWind)
+
+set(source interpolation.cpp)
+wrong_formula(half_angle RIGHT "std::sin(0.5 * samples * angle)" WRONG "std::sin(samples * angle)"
+              CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
+wrong_formula(mean_power RIGHT "mean * mean" WRONG "mean"
+              CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
+wrong_formula(between RIGHT "(2 + std::cos(samples * angle)) / 3" WRONG "(1 + std::cos(samples * angle)) / 2"
+              CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
+wrong_formula(elevation RIGHT "std::pow(modeOf(column, size), 2) + std::pow(modeOf(row, size), 2)" WRONG "1"
+              CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
+
 set(source fft.cpp)
 wrong_formula(sign RIGHT "2 * std::numbers::pi * i / size" WRONG "-2 * std::numbers::pi * i / size"
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/fresnel.glsl"
 #include "physics/ocean_brdf.glsl"
 
 namespace {
@@ -64,33 +65,74 @@ TEST(OceanBrdf, DensityIntegratesToOne) {
   }
 }
 
-TEST(OceanBrdf, VisibleSlopesAgreeWithQuadrature) {
-  // q^e integrates to 1: the area is the integral of the signed area's positive part, for every view up to the horizon.
+TEST(OceanBrdf, WhatSmithsLawShowsIntegratesToOne) {
+  // The papers' q^e = p max(v.f, 0) / ((1 + Lambda) f.y cos), its denominator being the area, from the zenith to 88
+  // degrees.
+  for (const auto& [along, across] : {std::pair{0.01, 0.01}, {0.05, 0.1}, {0.2, 0.15}, {0.4, 0.4}}) {
+    const vec3 c(along * along, across * across, 0);
+    constexpr int kSteps = 600;
+    const double dx = 14 * along / kSteps, dz = 14 * across / kSteps;
+    for (const double zenith : {0.0, 30.0, 60.0, 80.0, 88.0}) {
+      const vec3 v = direction(degrees(zenith), 0.4);
+      const double area = physics::visibility(v, vec2(0), c).area;
+      double sum = 0;
+      for (int i = 0; i < kSteps; ++i) {
+        for (int j = 0; j < kSteps; ++j) {
+          const vec2 s(-7 * along + (i + 0.5) * dx, -7 * across + (j + 0.5) * dz);
+          const vec3 f = glm::normalize(vec3(-s.x, 1, -s.y));
+          sum += dx * dz * physics::slopeDensity(s, c) * std::max(glm::dot(v, f), 0.0f) / (f.y * area);
+        }
+      }
+      EXPECT_NEAR(sum, 1, 2e-3) << along << ' ' << zenith;
+    }
+  }
+}
+
+TEST(OceanBrdf, AreaAgreesWithQuadrature) {
   for (const Case& c : kCases) {
     for (const double zenith : {0.0, 40.0, 75.0, 88.0, 90.0}) {
       const vec3 v = direction(degrees(zenith), 0.7);
       double area = 0;
+      overSlopes(c.covariance, [&](const vec2& s, double w) {
+        area += w * std::max(v.y - glm::dot(vec2(v.x, v.z), c.mean + s), 0.0f);
+      });
+      EXPECT_NEAR(physics::visibility(v, c.mean, c.covariance).area / area, 1, 2e-3) << zenith;
+    }
+  }
+}
+
+TEST(OceanBrdf, SlopesSeenAgreeWithQuadrature) {
+  for (const Case& c : kCases) {
+    for (const double zenith : {0.0, 40.0, 75.0, 88.0, 90.0}) {
+      const vec3 v = direction(degrees(zenith), 0.7);
+      const vec2 vh(v.x, v.z);
+      const vec2 g(c.covariance.x * vh.x + c.covariance.z * vh.y, c.covariance.z * vh.x + c.covariance.y * vh.y);
+      const double tau = std::sqrt(std::max(glm::dot(g, vh), 1e-10f));
+      // A mean facet turned away is moved to the edge of what is seen.
+      const double facing = v.y - glm::dot(vh, c.mean);
+      const vec2 moved = g * static_cast<float>(std::min(facing, 0.0) / (tau * tau));
+      const double z = std::max(facing, 0.0) / tau;
+      double weight = 0;
       glm::dvec2 first{0};
       glm::dvec3 second{0};
       overSlopes(c.covariance, [&](const vec2& s, double w) {
-        const double x = v.y - glm::dot(vec2(v.x, v.z), c.mean + s);
+        const double x = (v.y - glm::dot(vh, c.mean + moved + s)) / tau;
         if (x <= 0) return;
-        area += w * x;
-        first += w * x * glm::dvec2(s);
-        second += w * x * glm::dvec3(s.x * s.x, s.y * s.y, s.x * s.y);
+        w *= x * (1 - std::exp(-2 * (x + 0.2) * (z + 0.2)));
+        const glm::dvec2 from(moved + s);
+        weight += w;
+        first += w * from;
+        second += w * glm::dvec3(from.x * from.x, from.y * from.y, from.x * from.y);
       });
-      first /= area;
-      second = second / area - glm::dvec3(first.x * first.x, first.y * first.y, first.x * first.y);
-      const auto seen = physics::visibility(v, c.mean, c.covariance);
+      first /= weight;
+      second = second / weight - glm::dvec3(first.x * first.x, first.y * first.y, first.x * first.y);
+      const auto seen = physics::seenSlopes(physics::visibility(v, c.mean, c.covariance), v, c.covariance);
       const double scale = std::sqrt(std::max(c.covariance.x, c.covariance.y));
-      EXPECT_NEAR(seen.area / area, 1, 2e-3) << zenith;
-      const vec2 shift = physics::visibleShift(seen, v, c.covariance);
-      EXPECT_NEAR(shift.x, first.x, 3e-3 * scale) << zenith;
-      EXPECT_NEAR(shift.y, first.y, 3e-3 * scale) << zenith;
-      const vec3 spread = physics::visibleCovariance(seen, v, c.covariance);
-      EXPECT_NEAR(spread.x, second.x, 5e-3 * scale * scale) << zenith;
-      EXPECT_NEAR(spread.y, second.y, 5e-3 * scale * scale) << zenith;
-      EXPECT_NEAR(spread.z, second.z, 5e-3 * scale * scale) << zenith;
+      EXPECT_NEAR(seen.shift.x, first.x, 3e-3 * scale) << zenith;
+      EXPECT_NEAR(seen.shift.y, first.y, 3e-3 * scale) << zenith;
+      EXPECT_NEAR(seen.covariance.x, second.x, 5e-3 * scale * scale) << zenith;
+      EXPECT_NEAR(seen.covariance.y, second.y, 5e-3 * scale * scale) << zenith;
+      EXPECT_NEAR(seen.covariance.z, second.z, 5e-3 * scale * scale) << zenith;
     }
   }
 }
@@ -169,15 +211,56 @@ TEST(OceanBrdf, FurnaceNeverReturnsMoreThanItGot) {
   }
 }
 
+TEST(OceanBrdf, AlbedoOfTheSunsLightIsAtMostOne) {
+  // Flux that leaves over flux that comes, from a sun at any height: of perfect mirrors, and of water.
+  for (const float variance : {0.0025f, 0.01f, 0.04f}) {
+    const vec3 c{variance, 0.7f * variance, 0};
+    for (const double zenith : {5.0, 40.0, 70.0, 85.0}) {
+      const vec3 l = direction(degrees(zenith), 0.5);
+      const auto lit = physics::visibility(l, vec2(0), c);
+      double mirror = 0, water = 0;
+      overSlopes(c, [&](const vec2& s, double w) {
+        const vec3 h = glm::normalize(vec3(-s.x, 1, -s.y));
+        const float lh = glm::dot(l, h);
+        const vec3 v = 2 * lh * h - l;
+        if (lh <= 0 || v.y <= 0) return;
+        const auto seen = physics::visibility(v, vec2(0), c);
+        // d omega_v = 4 h.y^3 (l.h) d^2 s; the density is already in the weight.
+        const double flux = w * 4 * std::pow(h.y, 3) * lh * v.y / l.y *
+                            physics::sunReflection(seen, lit, s, vec2(0), c) / physics::slopeDensity(s, c);
+        mirror += flux;
+        water += flux * physics::fresnelReflectance(lh, physics::kWaterIndex);
+      });
+      EXPECT_LE(mirror, 1.002) << variance << ' ' << zenith;
+      EXPECT_GE(mirror, zenith < 60 ? 0.95 : 0.4) << variance << ' ' << zenith;
+      // A rough sea mirrors a high sun like a flat one, and a low sun less.
+      const double flat = physics::fresnelReflectance(l.y, physics::kWaterIndex);
+      EXPECT_LE(water, 1.2 * flat) << variance << ' ' << zenith;
+      if (zenith < 60) {
+        EXPECT_GE(water, 0.95 * flat) << variance << ' ' << zenith;
+      }
+    }
+  }
+}
+
 TEST(OceanBrdf, IsReciprocal) {
+  // Radiance per irradiance of the mean facet; exact while the mean facet faces both.
   const vec3 c{0.02f, 0.01f, 0.004f};
-  const vec3 v = direction(degrees(60), 0.3);
-  const vec3 l = direction(degrees(35), 3.0);
-  const auto a = physics::visibility(v, vec2(0), c);
-  const auto b = physics::visibility(l, vec2(0), c);
-  const vec2 slope = physics::mirrorSlope(v, l);
-  EXPECT_NEAR(physics::sunReflection(a, b, slope, vec2(0), c) / l.y,
-              physics::sunReflection(b, a, slope, vec2(0), c) / v.y, 1e-5);
+  for (const vec2 mean : {vec2(0), vec2(0.1f, -0.05f)}) {
+    for (const double first : {0.0, 35.0, 60.0, 80.0}) {
+      for (const double second : {10.0, 50.0, 75.0}) {
+        const vec3 v = direction(degrees(first), 0.3);
+        const vec3 l = direction(degrees(second), 3.0);
+        const auto a = physics::visibility(v, mean, c);
+        const auto b = physics::visibility(l, mean, c);
+        ASSERT_GT(std::min(a.mean, b.mean), 0);
+        const vec2 slope = physics::mirrorSlope(v, l);
+        const double forward = physics::sunReflection(a, b, slope, mean, c) / b.mean;
+        const double backward = physics::sunReflection(b, a, slope, mean, c) / a.mean;
+        EXPECT_NEAR(forward, backward, 2e-5 * forward + 1e-12) << first << ' ' << second;
+      }
+    }
+  }
 }
 
 TEST(OceanBrdf, MirrorSlopeReflects) {

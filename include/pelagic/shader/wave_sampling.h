@@ -25,6 +25,8 @@ struct WaveSampling {
   vec4 patches[8];
   // Expected slope covariance of each cascade: x of dh/dx, y of dh/dz, z of both [1].
   vec4 slopeCovariance[8];
+  // Share of it that linear filtering takes from the gradients of cascade c in mip m: [2 c + m / 4][m % 4] [1].
+  vec4 interpolationLoss[16];
   // Slope covariance that no cascade resolves, as above; w standard deviation of the elevation [m].
   vec4 unresolved;
   // Of the map of gains, if there is one: x samples per metre, yz the origin's place in samples; w how fast foam falls
