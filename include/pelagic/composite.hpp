@@ -79,8 +79,9 @@ class ToneMap {
 
   /// `exposure` in stops (EV): radiance is multiplied by 2^exposure before the curve; -32 … 32, clamped.
   void record(VkCommandBuffer commands, float exposure, Timings* timings = nullptr) noexcept;
-  /// Exposes the picture by itself: the geometric mean of its luminance becomes middle grey, then `compensation` [EV]
-  /// brighter. Depends on this picture alone, not on the ones before.
+  /// Exposes the picture by itself: the geometric mean of its luminance, of 4096 pixels each held within
+  /// 1e-5 … 100, becomes middle grey, then `compensation` [EV] brighter. Depends on this picture alone, not on the ones
+  /// before.
   void recordMetered(VkCommandBuffer commands, float compensation, Timings* timings = nullptr) noexcept;
 
  private:

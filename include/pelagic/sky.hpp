@@ -21,11 +21,12 @@ inline constexpr double kSunAngularRadius = shader::kSunAngularRadius;
 
 /// One layer of clouds, which drifts with the wind. Its shape repeats after 15 km.
 struct CloudLayer {
-  double cover = 0;           ///< Share of the sky that they take, looking up [1], 0 none … 1 all.
-  double base = 800;          ///< Altitude of their base [m], 100 … 8000.
-  double thickness = 700;     ///< From base to the highest tops [m], 50 … 4000.
-  glm::dvec2 velocity{6, 0};  ///< Along world x and z [m/s], -100 … 100 each.
-  std::uint32_t seed = 1;     ///< Of their shape.
+  double cover = 0;        ///< Share of the sky that they take, looking up [1], 0 none … 1 all.
+  double base = 800;       ///< Altitude of their base [m], 100 … 8000.
+  double thickness = 700;  ///< From base to the highest tops [m], 50 … 4000.
+  /// Along world x and z [m/s], -100 … 100 each. To change it moves the clouds by the difference times the time.
+  glm::dvec2 velocity{6, 0};
+  std::uint32_t seed = 1;  ///< Of their shape.
   bool operator==(const CloudLayer&) const = default;
 };
 

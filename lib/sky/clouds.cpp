@@ -36,7 +36,8 @@ CloudPass cloudPassOf(const SkyState& state, const glm::vec3& light) noexcept {
   pass.base = static_cast<float>(state.clouds.base);
   pass.thickness = static_cast<float>(state.clouds.thickness);
   pass.threshold = static_cast<float>(std::clamp(upperQuantile(state.clouds.cover), -3.0, 3.0));
-  pass.seed = state.clouds.seed;
+  // Of the noise's heights, of which a float tells 1024 apart, folded.
+  pass.seed = (state.clouds.seed ^ (state.clouds.seed >> 10u) ^ (state.clouds.seed >> 20u)) & 1023u;
   return pass;
 }
 

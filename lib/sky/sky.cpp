@@ -199,7 +199,7 @@ void Sky::Impl::recordClouds(vk::CommandBuffer commands, Timings* timings) noexc
   if (!cloudy()) return clouds.recordNone(*context, commands);
   if (timings) timings->begin(commands, "sky cloud volume");
   const glm::vec3 source = sky::moonCastsShadows(state) ? sky::toward(state.moonElevation, state.moonAzimuth)
-                                                       : sky::toward(state.sunElevation, state.sunAzimuth);
+                                                        : sky::toward(state.sunElevation, state.sunAzimuth);
   clouds.record(*context, commands, sky::cloudPassOf(state, source), cloudsChanged);
   cloudsChanged = false;
   if (timings) timings->end(commands);
@@ -224,15 +224,14 @@ Result<void> Sky::setState(const SkyState& state) {
   PELAGIC_CHECK(validate(state));
   SkyState& now = impl_->state;
   impl_->airChanged |= state.haze != now.haze;
-  impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
-                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast ||
-                    state.clouds != now.clouds || state.moonElevation != now.moonElevation ||
-                    state.moonAzimuth != now.moonAzimuth || state.moonIlluminated != now.moonIlluminated ||
-                    state.starsToWorld != now.starsToWorld;
-  // They drift without being computed again.
+  // Clouds drift without being computed again.
   CloudLayer moved = now.clouds;
   moved.velocity = state.clouds.velocity;
   impl_->cloudsChanged |= state.clouds != moved;
+  impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
+                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast || state.clouds != moved ||
+                    state.moonElevation != now.moonElevation || state.moonAzimuth != now.moonAzimuth ||
+                    state.moonIlluminated != now.moonIlluminated || state.starsToWorld != now.starsToWorld;
   now = state;
   return {};
 }

@@ -85,7 +85,10 @@ vec3 starLight(vec3 d, float pixel) {
   float warm = latticeValue(uvec2(cell.x + 192u, row));
   vec3 tint = mix(vec3(0.8, 0.95, 1.3), vec3(1.25, 0.97, 0.7), warm);
   // The spread's square integrates to pi/6 of its radius' square.
-  return tint * (starStrength(magnitude) * light.skyIrradiance.w * near * near * 6.0 / (kPi * spread * spread));
+  // The air takes what it does over a flat Earth, less at the horizon.
+  vec3 air = light.rayleighExtinction.rgb * light.rayleighExtinction.w + light.mieExtinction.rgb * light.mieExtinction.w;
+  vec3 shown = tint * exp(-air / max(d.y, 0.03)) * (light.skyIrradiance.w * light.moonDirection.w);
+  return shown * (starStrength(magnitude) * near * near * 6.0 / (kPi * spread * spread));
 }
 
 // Sun, moon and stars behind a pixel.

@@ -29,7 +29,9 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
   float mu = dot(d, light.sunDirection.xyz);
   vec3 seen = vec3(0);
   float through = 1.0, distance = 0.0;
-  float t = span.x + 0.5 * max(finest, kFarther * span.x);
+  // A thin layer has a few steps at least.
+  float coarsest = 0.25 * (span.y - span.x);
+  float t = span.x + 0.5 * min(max(finest, kFarther * span.x), coarsest);
   int i = 0;
   do {
     float h = altitudeAlong(altitude, d.y, t);
@@ -37,8 +39,8 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
     vec2 cloud = textureLod(volume, at, 0).rg;
     float holes = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
     // Far off, steps grow with the distance, and bubbles smaller than they or than a pixel are left out.
-    float least = max(finest, kFarther * t);
-    float step = clamp(-kFieldScale * cloud.r, least, max(least, most));
+    float least = min(max(finest, kFarther * t), coarsest);
+    float step = min(clamp(-kFieldScale * cloud.r, least, max(least, most)), max(span.y - t, 0.5 * least));
     float kept = clamp(1.5 - max(t * pixel / kSmallestBubble, least / kLargestBubble), 0.0, 1.0);
     float density = t < span.y ? cloudDensity(cloud.r - kTorn * (mix(kMeanHole, holes, kept) - 0.3)) : 0.0;
     float taken = 1.0 - exp(-kCloudExtinction * density * step);

@@ -49,7 +49,7 @@ struct CloudPass {
   float base;         // altitude [m]
   float thickness;    // [m]
   float threshold;    // of a standard normal field above which there are clouds
-  uint seed;
+  uint seed;          // 10 bits
 };
 
 // Of the passes that look at it. The direction through a pixel is ray + x rayX + y rayY; the dome's pixels are its own.

@@ -33,14 +33,14 @@ struct Air {
   vec3 through;  // transmittance of the path
 };
 
-Air airAlong(float viewMu, float end, float sunMu, float sunView) {
+Air airAlong(float altitude, float viewMu, float end, float sunMu, float sunView) {
   float rayleigh = rayleighPhase(sunView), mie = miePhase(sunView);
   Air air = Air(vec3(0), vec3(1));
   for (int i = 0; i < kSteps; ++i) {
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;  // dense near the eye
-    float h = clamp(altitudeAlong(pass.altitude, viewMu, t), 0.0, kAirTop);
-    float mu = ((kEarthRadius + pass.altitude) * sunMu + t * sunView) / (kEarthRadius + h);
+    float h = clamp(altitudeAlong(altitude, viewMu, t), 0.0, kAirTop);
+    float mu = ((kEarthRadius + altitude) * sunMu + t * sunView) / (kEarthRadius + h);
     vec3 density = airDensity(h);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density, pass.haze);
@@ -66,8 +66,11 @@ void main() {
   float sunMu = pass.sunDirection.y, sunSide = sqrt(max(0.0, 1.0 - sunMu * sunMu));
   float viewMu = sin(elevation);
   float sunView = viewMu * sunMu + cos(elevation) * sunSide * cos(azimuth);
-  float ground = distanceToGround(pass.altitude, viewMu);
-  Air air = airAlong(viewMu, below && ground >= 0.0 ? ground : distanceToTop(pass.altitude, viewMu), sunMu, sunView);
+  // From the water itself the way to it would end at once.
+  float altitude = below ? max(pass.altitude, 1.0) : pass.altitude;
+  float ground = distanceToGround(altitude, viewMu);
+  float end = below && ground >= 0.0 ? ground : distanceToTop(altitude, viewMu);
+  Air air = airAlong(altitude, viewMu, end, sunMu, sunView);
   vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight * pass.night.x;
   imageStore(clear, texel, vec4(light * pass.gain, 1));
 }

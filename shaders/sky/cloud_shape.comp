@@ -16,7 +16,7 @@ void main() {
   vec3 size = vec3(kCloudCells, kCloudCells, kCloudLayers);
   vec3 p = (vec3(cell) + 0.5) / size;
   float height = p.z * pass.thickness;
-  vec3 q = vec3(p.xy / kLargest, height / (kLargest * kCloudTile) + 17.0 * float(pass.seed & 1023u));
+  vec3 q = vec3(p.xy / kLargest, height / (kLargest * kCloudTile) + 17.0 * float(pass.seed));
   uvec2 cells = uvec2(uint(1.0 / kLargest));
   float sum = 0.0, squares = 0.0, weight = 1.0;
   for (uint octave = 0u; octave < kOctaves; ++octave) {

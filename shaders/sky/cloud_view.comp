@@ -25,7 +25,8 @@ void main() {
   float pixelSize = length(view.rayY.xyz) / length(view.ray.xyz);
   if (view.ray.w < view.rayX.w && d.y > edge - 2.0 * pixelSize) d = normalize(vec3(d.x, max(d.y, edge + 1e-3), d.z));
   float row = skyRow(asin(clamp(d.y, -1.0, 1.0)), view.edge);
-  vec3 air = textureLod(radiance, vec2(atan(d.z, d.x) / (2.0 * kAirPi), row), 0).rgb;
+  float azimuth = dot(d.xz, d.xz) > 0.0 ? atan(d.z, d.x) : 0.0;  // none straight up and down
+  vec3 air = textureLod(radiance, vec2(azimuth / (2.0 * kAirPi), row), 0).rgb;
   CloudsSeen seen = cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, air, kFinest, pixelSize, kSteps);
   imageStore(clouds, ivec2(pixel), vec4(seen.light, seen.transmittance));
 }

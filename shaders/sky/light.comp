@@ -74,7 +74,7 @@ void writeLight(vec3 clearSky) {
   vec3 high = byMoon ? strength : vec3(pass.gain);
   light.cloudSun = vec4(above * high * (open * sunVisibility(pass.altitude, mu)), 0);
   float moonElevation = asin(clamp(pass.moonDirection.y, -1.0, 1.0));
-  light.moonDirection = vec4(pass.moonDirection.xyz, 0);
+  light.moonDirection = vec4(pass.moonDirection.xyz, open);
   // What is lit of the disc is as bright as at full moon; thinner phases are darker in truth.
   float full = pass.moonDirection.w > 0.0 ? kFullMoon * pass.gain * open / disc : 0.0;
   light.moonRadiance = vec4(kMoonTint * throughTheAir(moonElevation) * full, 0);

@@ -136,6 +136,15 @@ TEST_F(CloudsTest, DriftIsTheSameAsAnEyeThatMovesAgainstIt) {
   EXPECT_GT(4 * difference / static_cast<double>(later.clouds.size()), 0.02);
 }
 
+/// However thin and far, a layer that shades the sea is seen.
+TEST_F(CloudsTest, AThinLayerIsSeenFromFarBelowAndFarAbove) {
+  pelagic::SkyState state = stateOf(1);
+  state.clouds.base = 8000;
+  state.clouds.thickness = 50;
+  EXPECT_LT(look(state, vertical({0, 3, 0}, true)).mean(3), 0.5);
+  EXPECT_LT(look(state, vertical({0, 9e4, 0}, false)).mean(3), 0.5);
+}
+
 /// A deck reflects and transmits like one: white from above, grey from below, and no more light leaves it than came.
 TEST_F(CloudsTest, ADeckKeepsTheEnergyOfTheSun) {
   pelagic::SkyState state = stateOf(1);

@@ -101,6 +101,7 @@ TEST_F(NightTest, StarsCarryTheirIrradiance) {
     scene.camera.projection = support::perspective(kPi / 2, 1, 0.1, true);
     scene.light.skyIrradiance = glm::vec4(0, 0, 0, 1e6);
     scene.light.stars = turn;
+    scene.light.moonDirection.w = 1;
     scene.withOutputs = false;
     scene.render(device());
     return scene.radiance;

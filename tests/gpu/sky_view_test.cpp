@@ -69,7 +69,7 @@ TEST_F(SkyViewTest, FromSeaLevelTheSkyIsTheSkys) {
 TEST_F(SkyViewTest, AirBelowTheEyeIsScatteringOnceAndALittleMore) {
   const double sun = radians(60), ms = std::sin(sun);
   Pair pair = create({sun, 0, 0, 0, {}});
-  for (const double altitude : {100.0, 3000.0, 9000.0}) {
+  for (const double altitude : {0.0, 100.0, 3000.0, 9000.0}) {
     const Map map = draw(pair, altitude);
     const double edge = -std::acos(6371e3 / (6371e3 + altitude));
     for (const int row : {20, 60}) {
@@ -77,7 +77,7 @@ TEST_F(SkyViewTest, AirBelowTheEyeIsScatteringOnceAndALittleMore) {
       const double mv = std::sin(-elevation);
       const int across = map.width / 4;  // at a right angle to the sun
       const double phase = 3 / (16 * kPi) * (1 + std::pow(mv * ms, 2));
-      const double scattering = 7.10e-6 * 8000, th = scattering * std::exp(-altitude / 8000);
+      const double scattering = 7.10e-6 * 8000, th = scattering * std::exp(-std::max(altitude, 1.0) / 8000);
       const double ozone = std::exp(-2.58e-6 * 15000 / ms);
       const double light =
           ozone * phase * std::exp(-th / ms) * (1 - std::exp(-(scattering - th) * (1 / ms + 1 / mv))) / (1 + mv / ms);

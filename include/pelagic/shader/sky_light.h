@@ -11,16 +11,17 @@ PELAGIC_SHADER_CONSTANT float kEnvironmentScale = 0.8f;
 
 // Radiance in units of the extraterrestrial solar irradiance per steradian (pelagic/sky.hpp).
 struct SkyLight {
-  // The sun; once it is 2 degrees below the horizon, the moon.
-  vec4 sunDirection;        // xyz toward it (world), w cosine of the disc's angular radius
-  vec4 sunIrradiance;       // rgb at sea level on a plane facing the sun, clouds included; 0 when below the horizon
-  vec4 sunRadiance;         // rgb of the disc as seen from sea level, w 1 for the sun, 0 for the moon
-  vec4 skyIrradiance;       // rgb on a horizontal plane from the sky without the sun, w twilight gain (pelagic/sky.hpp)
+  // The sun; once it is 2 degrees below the horizon, the moon, if it is up.
+  vec4 sunDirection;   // xyz toward it (world), w cosine of the disc's angular radius
+  vec4 sunIrradiance;  // rgb at sea level on a plane facing the sun, without the clouds' shadow; 0 when it is below the
+                       // horizon
+  vec4 sunRadiance;    // rgb of the disc as seen from sea level, w 1 for the sun, 0 for the moon
+  vec4 skyIrradiance;  // rgb on a horizontal plane from the sky without the sun, w twilight gain (pelagic/sky.hpp)
   vec4 rayleighExtinction;  // rgb at sea level [1/m], w scale height [m]
   vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
   vec4 cloudZenith;         // rgb radiance at the zenith of the overcast sky's share
   vec4 cloudSun;            // rgb irradiance on a plane facing the sun at the clouds' altitude
-  vec4 moonDirection;       // xyz toward the moon (world)
+  vec4 moonDirection;       // xyz toward the moon (world), w share of the starlight that the overcast lets through
   vec4 moonRadiance;        // rgb of the lit part of its disc as seen from sea level; 0 below the horizon
   vec4 moonLit;             // xyz from the moon toward the sun (world)
   vec4 stars;               // quaternion xyzw that turns world directions into the sky of the stars
