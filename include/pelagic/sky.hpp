@@ -69,9 +69,8 @@ struct SkyMaps {
   /// resolution, pixel (x, y) of the view at ((x, y) + 0.5)/(3 extent): RGB light of the clouds and the air before
   /// them, A the transmittance for what is behind.
   MapView clouds;
-  /// r16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, at
-  /// SkyLight::cloudPlace.xy
-  /// + p SkyLight::cloudPlace.z for p = (x, z) from the eye [m].
+  /// r16f with mips, repeats: share of the sun's light that reaches sea level through the clouds. Of the point
+  /// p = (x, z) from the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
   MapView cloudShadow;
 };
 

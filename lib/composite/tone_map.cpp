@@ -18,8 +18,10 @@ struct ToneMap::Impl {
   gpu::ComputePass meter, pass;
   gpu::DescriptorSet meterSet, set;
 
-  void recordInput(vk::CommandBuffer commands) noexcept;
-  void recordMap(vk::CommandBuffer commands) noexcept;
+  /// `setGain` records what writes the gain, in the state `written`.
+  template <class SetGain>
+  void record(vk::CommandBuffer commands, Timings* timings, const gpu::BufferState& written,
+              const SetGain& setGain) noexcept;
 };
 
 ToneMap::ToneMap(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
@@ -52,18 +54,19 @@ Result<ToneMap> ToneMap::create(Device& device, const ToneMapInfo& info) {
                                              std::move(meter), std::move(pass), std::move(meterSet), std::move(set)}));
 }
 
-void ToneMap::Impl::recordInput(vk::CommandBuffer commands) noexcept {
+template <class SetGain>
+void ToneMap::Impl::record(vk::CommandBuffer commands, Timings* timings, const gpu::BufferState& written,
+                           const SetGain& setGain) noexcept {
   const auto aspect = vk::ImageAspectFlagBits::eColor;
   ImageState unread = output.before;
   unread.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  if (timings) timings->begin(commands, "tone map");
   gpu::Barrier()
       .image(input.image, aspect, input.before, gpu::kComputeSampled)
       .image(output.image, aspect, unread, gpu::kComputeStorageWrite)
+      .buffer(gain, written)
       .record(*context, commands);
-}
-
-void ToneMap::Impl::recordMap(vk::CommandBuffer commands) noexcept {
-  const auto aspect = vk::ImageAspectFlagBits::eColor;
+  setGain();
   gpu::Barrier().buffer(gain, gpu::kComputeRead).record(*context, commands);
   pass.bind(commands, set);
   pass.dispatch(commands, gpu::groups(output.extent.width, 8), gpu::groups(output.extent.height, 8));
@@ -71,31 +74,24 @@ void ToneMap::Impl::recordMap(vk::CommandBuffer commands) noexcept {
       .image(input.image, aspect, gpu::kComputeSampled, input.after)
       .image(output.image, aspect, gpu::kComputeStorageWrite, output.after)
       .record(*context, commands);
+  if (timings) timings->end(commands);
 }
 
 void ToneMap::record(VkCommandBuffer commandBuffer, float exposure, Timings* timings) noexcept {
   const vk::CommandBuffer commands(commandBuffer);
-  Impl& map = *impl_;
-  if (timings) timings->begin(commands, "tone map");
-  map.recordInput(commands);
-  gpu::Barrier().buffer(map.gain, gpu::kTransferWrite).record(*map.context, commands);
-  const float gain = std::exp2(std::clamp(exposure, -32.0f, 32.0f));
-  commands.updateBuffer(map.gain.handle(), 0, sizeof(gain), &gain, map.context->dispatch);
-  map.recordMap(commands);
-  if (timings) timings->end(commands);
+  impl_->record(commands, timings, gpu::kTransferWrite, [&] {
+    const float gain = std::exp2(std::clamp(exposure, -32.0f, 32.0f));
+    commands.updateBuffer(impl_->gain.handle(), 0, sizeof(gain), &gain, impl_->context->dispatch);
+  });
 }
 
 void ToneMap::recordMetered(VkCommandBuffer commandBuffer, float compensation, Timings* timings) noexcept {
   const vk::CommandBuffer commands(commandBuffer);
-  Impl& map = *impl_;
-  if (timings) timings->begin(commands, "tone map");
-  map.recordInput(commands);
-  gpu::Barrier().buffer(map.gain, gpu::kComputeWrite).record(*map.context, commands);
-  map.meter.bind(commands, map.meterSet);
-  map.meter.push(commands, std::clamp(compensation, -32.0f, 32.0f));
-  map.meter.dispatch(commands, 1);
-  map.recordMap(commands);
-  if (timings) timings->end(commands);
+  impl_->record(commands, timings, gpu::kComputeWrite, [&] {
+    impl_->meter.bind(commands, impl_->meterSet);
+    impl_->meter.push(commands, std::clamp(compensation, -32.0f, 32.0f));
+    impl_->meter.dispatch(commands, 1);
+  });
 }
 
 }  // namespace pelagic

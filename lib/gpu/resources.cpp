@@ -144,8 +144,7 @@ std::uint32_t mipCount(vk::Extent2D extent) noexcept {
 }
 
 Result<Unique<vk::Sampler>> createSampler(Context& context, std::string_view name, const SamplerInfo& info) {
-  vk::SamplerCreateInfo create({}, info.filter, info.filter, info.mipmap, info.u, info.v,
-                               vk::SamplerAddressMode::eClampToEdge);
+  vk::SamplerCreateInfo create({}, info.filter, info.filter, info.mipmap, info.u, info.v, info.w);
   create.maxLod = VK_LOD_CLAMP_NONE;
   auto sampler = context.device.createSamplerUnique(create, context.allocator(), context.dispatch);
   if (sampler.result != vk::Result::eSuccess) return fail(sampler.result, "create the sampler " + std::string(name));

@@ -88,7 +88,8 @@ struct SamplerInfo {
   vk::Filter filter = vk::Filter::eLinear;
   vk::SamplerMipmapMode mipmap = vk::SamplerMipmapMode::eLinear;
   vk::SamplerAddressMode u = vk::SamplerAddressMode::eRepeat;
-  vk::SamplerAddressMode v = vk::SamplerAddressMode::eRepeat;  ///< Along w: to the edge.
+  vk::SamplerAddressMode v = vk::SamplerAddressMode::eRepeat;
+  vk::SamplerAddressMode w = vk::SamplerAddressMode::eClampToEdge;
 };
 Result<Unique<vk::Sampler>> createSampler(Context& context, std::string_view name, const SamplerInfo& info);
 

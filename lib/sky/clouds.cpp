@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <gpu/barrier.hpp>
 #include <sky/clouds.hpp>
 
 #include "sky_cloud_detail_comp.spv.hpp"
 #include "sky_cloud_light_comp.spv.hpp"
 #include "sky_cloud_shadow_comp.spv.hpp"
 #include "sky_cloud_shape_comp.spv.hpp"
-#include "sky_environment_mip_comp.spv.hpp"
 
 namespace pelagic::sky {
 namespace {
@@ -73,16 +71,8 @@ Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat) {
   result.lightStep_ = std::move(lightStep);
   result.shadowStep_ = std::move(shadowStep);
 
-  const gpu::Binding bindings[] = {{0, sampled, 1}, {1, storage, 1}};
-  PELAGIC_TRY(
-      mip, gpu::ComputePass::create(context, {"cloud shadow mip", shaders::sky_environment_mip_comp, bindings, 0, {}}));
-  result.mipPass_ = std::move(mip);
-  for (std::uint32_t i = 0; i + 1 < kShadowMips; ++i) {
-    PELAGIC_TRY(set, result.mipPass_.createSet("cloud shadow mip"));
-    set.sampled(0, result.shadow.mipView(i), repeat);
-    set.storageImage(1, result.shadow.mipView(i + 1));
-    result.mipSets_.push_back(std::move(set));
-  }
+  PELAGIC_TRY(mips, MipChain::create(context, "cloud shadow mip", result.shadow, repeat));
+  result.shadowMips_ = std::move(mips);
   return result;
 }
 
@@ -91,9 +81,7 @@ void Clouds::recordShape(gpu::Context& context, vk::CommandBuffer commands, cons
   barrier.image(field_, gpu::kComputeStorageWrite, true);
   if (!detailed_) barrier.image(detail, gpu::kComputeStorageWrite, true);
   barrier.record(context, commands);
-  shapeStep_.pass.bind(commands, shapeStep_.set);
-  shapeStep_.pass.push(commands, push);
-  shapeStep_.pass.dispatch(commands, kGroups, kGroups, shader::kCloudLayers);
+  shapeStep_.run(commands, push, kGroups, kGroups, shader::kCloudLayers);
   if (!detailed_) {
     detailStep_.pass.bind(commands, detailStep_.set);
     constexpr std::uint32_t kDetailGroups = shader::kCloudDetail / shader::kSkyTile;
@@ -110,28 +98,14 @@ void Clouds::record(gpu::Context& context, vk::CommandBuffer commands, const Clo
   barrier.image(volume, gpu::kComputeStorageWrite, true)
       .image(shadow, gpu::kComputeStorageWrite, true)
       .record(context, commands);
-  lightStep_.pass.bind(commands, lightStep_.set);
-  lightStep_.pass.push(commands, push);
-  lightStep_.pass.dispatch(commands, kGroups, kGroups, shader::kCloudLayers);
-  shadowStep_.pass.bind(commands, shadowStep_.set);
-  shadowStep_.pass.push(commands, push);
-  shadowStep_.pass.dispatch(commands, kGroups, kGroups);
-  barrier.image(volume, kShaderRead);
-  for (std::uint32_t i = 0; i < kShadowMips; ++i) {
-    barrier.mip(shadow, i, gpu::kComputeStorageWrite, kShaderRead).record(context, commands);
-    if (i + 1 == kShadowMips) break;
-    mipPass_.bind(commands, mipSets_[i]);
-    const std::uint32_t tiles = gpu::groups(shader::kCloudCells >> (i + 1), shader::kSkyTile);
-    mipPass_.dispatch(commands, tiles, tiles);
-  }
-  shadow.state = kShaderRead;
+  lightStep_.run(commands, push, kGroups, kGroups, shader::kCloudLayers);
+  shadowStep_.run(commands, push, kGroups, kGroups);
+  barrier.image(volume, kShaderRead).record(context, commands);
+  shadowMips_.record(context, commands, shadow);
 }
 
 void Clouds::recordNone(gpu::Context& context, vk::CommandBuffer commands) noexcept {
-  gpu::Barrier().image(shadow, gpu::kTransferDestination, true).record(context, commands);
-  commands.clearColorImage(shadow.handle(), vk::ImageLayout::eTransferDstOptimal,
-                           vk::ClearColorValue(1.0f, 1.0f, 1.0f, 1.0f), shadow.range(), context.dispatch);
-  gpu::Barrier().image(shadow, kShaderRead).record(context, commands);
+  clearMap(context, commands, shadow, {1, 1, 1, 1});
 }
 
 }  // namespace pelagic::sky

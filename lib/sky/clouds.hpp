@@ -4,8 +4,7 @@
 #include <shared/sky_pass.h>
 
 #include <pelagic/sky.hpp>
-#include <sky/step.hpp>
-#include <vector>
+#include <sky/mip_chain.hpp>
 
 namespace pelagic::sky {
 
@@ -18,15 +17,14 @@ class Clouds {
   void recordNone(gpu::Context& context, vk::CommandBuffer commands) noexcept;
 
   gpu::Image volume;  ///< rg16f: field, fourth root of the sun's transmittance.
-  gpu::Image detail;  ///< r16f
+  gpu::Image detail;  ///< r16f, repeats in all directions.
   gpu::Image shadow;  ///< r16f with mips.
 
  private:
   void recordShape(gpu::Context& context, vk::CommandBuffer commands, const shader::CloudPass& push) noexcept;
   gpu::Image field_;
   Step shapeStep_, detailStep_, lightStep_, shadowStep_;
-  gpu::ComputePass mipPass_;
-  std::vector<gpu::DescriptorSet> mipSets_;  ///< Element i writes mip i + 1 of the shadow.
+  MipChain shadowMips_;
   bool detailed_ = false;
 };
 

@@ -1,7 +1,7 @@
 /// The filtered map of the sky's hemisphere that the water mirrors.
 #pragma once
 
-#include <sky/step.hpp>
+#include <sky/mip_chain.hpp>
 
 namespace pelagic::sky {
 
@@ -17,8 +17,7 @@ class Environment {
 
  private:
   Step step_;
-  gpu::ComputePass mipPass_;
-  std::vector<gpu::DescriptorSet> mipSets_;  ///< Element i writes mip i + 1.
+  MipChain mips_;
 };
 
 }  // namespace pelagic::sky

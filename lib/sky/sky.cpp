@@ -48,6 +48,9 @@ shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t air
   return pass;
 }
 
+namespace {
+
+/// The same sky, lit by the moon alone.
 shader::SkyPass moonPassOf(shader::SkyPass pass) noexcept {
   pass.sunDirection = pass.moonDirection;
   pass.sunAzimuth = pass.moonAzimuth;
@@ -56,19 +59,17 @@ shader::SkyPass moonPassOf(shader::SkyPass pass) noexcept {
   return pass;
 }
 
+}  // namespace
+
 void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step& step, gpu::Image& image,
                    const shader::SkyPass& push, std::uint32_t rows) noexcept {
   if (push.moonDirection.w > 0) {
     gpu::Barrier().image(image, gpu::kComputeStorageWrite, true).record(context, commands);
-    step.pass.bind(commands, step.set);
-    step.pass.push(commands, moonPassOf(push));
-    step.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, rows / shader::kSkyTile);
+    step.run(commands, moonPassOf(push), shader::kClearSize / shader::kSkyTile, rows / shader::kSkyTile);
+    gpu::Barrier().image(image, kShaderRead).record(context, commands);
   } else {
-    gpu::Barrier().image(image, gpu::kTransferDestination, true).record(context, commands);
-    commands.clearColorImage(image.handle(), vk::ImageLayout::eTransferDstOptimal,
-                             vk::ClearColorValue(0.0f, 0.0f, 0.0f, 0.0f), image.range(), context.dispatch);
+    clearMap(context, commands, image, {0, 0, 0, 0});
   }
-  gpu::Barrier().image(image, gpu::kComputeSampled).record(context, commands);
 }
 
 Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name) {
@@ -99,6 +100,9 @@ Result<void> Sky::Impl::createResources() {
   gpu::SamplerInfo info;
   PELAGIC_TRY(repeatSampler, gpu::createSampler(*context, "sky repeat", info));
   repeat = std::move(repeatSampler);
+  info.w = vk::SamplerAddressMode::eRepeat;
+  PELAGIC_TRY(everywhereSampler, gpu::createSampler(*context, "sky repeat everywhere", info));
+  repeatEverywhere = std::move(everywhereSampler);
   info.v = vk::SamplerAddressMode::eClampToEdge;
   PELAGIC_TRY(turningSampler, gpu::createSampler(*context, "sky turning", info));
   turning = std::move(turningSampler);
@@ -135,10 +139,10 @@ Result<void> Sky::Impl::createSteps() {
   lightStep.set.buffer(1, light.handle());
   lightStep.set.sampled(2, moonlit.view(), *clamped);
   PELAGIC_CHECK(create(radianceStep, "sky radiance", shaders::sky_radiance_comp, {sampled, buffer, storage, sampled}));
-  radianceStep.set.sampled(3, moonlit.view(), *clamped);
   radianceStep.set.sampled(0, clear.view(), *clamped);
   radianceStep.set.buffer(1, light.handle());
   radianceStep.set.storageImage(2, radiance.mipView(0));
+  radianceStep.set.sampled(3, moonlit.view(), *clamped);
   PELAGIC_TRY(filtered, sky::Environment::create(*context, radiance, *turning, *clamped, nullptr));
   environment = std::move(filtered);
   PELAGIC_TRY(layer, sky::Clouds::create(*context, *repeat));
@@ -152,14 +156,10 @@ void Sky::Impl::recordAir(vk::CommandBuffer commands, const shader::SkyPass& pus
   barrier.image(transmittance, gpu::kComputeStorageWrite, true)
       .buffer(scattering, gpu::kComputeWrite)
       .record(*context, commands);
-  transmittanceStep.pass.bind(commands, transmittanceStep.set);
-  transmittanceStep.pass.push(commands, push);
-  transmittanceStep.pass.dispatch(commands, shader::kTransmittanceWidth / shader::kSkyTile,
-                                  shader::kTransmittanceHeight / shader::kSkyTile);
+  transmittanceStep.run(commands, push, shader::kTransmittanceWidth / shader::kSkyTile,
+                        shader::kTransmittanceHeight / shader::kSkyTile);
   barrier.image(transmittance, gpu::kComputeSampled).record(*context, commands);
-  scatteringStep.pass.bind(commands, scatteringStep.set);
-  scatteringStep.pass.push(commands, push);
-  scatteringStep.pass.dispatch(commands, shader::kScatteringWidth, shader::kScatteringHeight);
+  scatteringStep.run(commands, push, shader::kScatteringWidth, shader::kScatteringHeight);
   barrier.buffer(scattering, gpu::kComputeRead).record(*context, commands);
   if (timings) timings->end(commands);
 }
@@ -171,20 +171,14 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const shader::SkyPass
       .image(radiance, gpu::kComputeStorageWrite, true)
       .buffer(light, gpu::kComputeWrite)
       .record(*context, commands);
-  clearStep.pass.bind(commands, clearStep.set);
-  clearStep.pass.push(commands, push);
-  clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile, shader::kClearSize / shader::kSkyTile);
+  clearStep.run(commands, push, shader::kClearSize / shader::kSkyTile, shader::kClearSize / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*context, commands);
   sky::recordMoonlit(*context, commands, moonStep, moonlit, push, shader::kClearSize);
-  lightStep.pass.bind(commands, lightStep.set);
   // The sun that the clouds see is that of their middle.
-  lightStep.pass.push(commands, sky::passOf(state, state.clouds.base + 0.5 * state.clouds.thickness, 0));
-  lightStep.pass.dispatch(commands, 1);
+  lightStep.run(commands, sky::passOf(state, state.clouds.base + 0.5 * state.clouds.thickness, 0), 1);
   barrier.buffer(light, sky::kLightRead).record(*context, commands);
-  radianceStep.pass.bind(commands, radianceStep.set);
-  radianceStep.pass.push(commands, push);
-  radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
-                             shader::kRadianceHeight / shader::kSkyTile);
+  radianceStep.run(commands, push, shader::kRadianceWidth / shader::kSkyTile,
+                   shader::kRadianceHeight / shader::kSkyTile);
   barrier.image(radiance, kShaderRead).record(*context, commands);
   if (timings) timings->end(commands);
 }

@@ -1,7 +1,6 @@
 /// What the sky of sea level and the views of it share.
 #pragma once
 
-#include <gpu/barrier.hpp>
 #include <sky/clouds.hpp>
 #include <sky/environment.hpp>
 
@@ -22,7 +21,7 @@ bool moonCastsShadows(const SkyState& state) noexcept;
 /// Irradiance of the moon over the air, 0 below the horizon [the sun's].
 double moonlight(const SkyState& state) noexcept;
 glm::vec3 toward(double elevation, double azimuth) noexcept;
-/// The sky that the moon lights: `step` is a pass of clear.comp that writes `image`, which ends ready to be sampled.
+/// The sky that the moon lights: `step` is a pass of clear.comp that writes `image`, which then rests in kShaderRead.
 void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step& step, gpu::Image& image,
                    const shader::SkyPass& push, std::uint32_t rows) noexcept;
 
@@ -43,7 +42,7 @@ struct Sky::Impl {
   std::uint64_t version = 0;  ///< Counts the states that were recorded.
   gpu::Image transmittance, clear, moonlit, radiance;
   gpu::Buffer scattering, light;
-  gpu::Unique<vk::Sampler> clamped, turning, repeat;
+  gpu::Unique<vk::Sampler> clamped, turning, repeat, repeatEverywhere;
   sky::Step transmittanceStep, scatteringStep, clearStep, moonStep, lightStep, radianceStep;
   sky::Environment environment;
   sky::Clouds clouds;

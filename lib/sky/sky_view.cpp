@@ -112,7 +112,7 @@ Result<void> SkyView::Impl::createClouds() {
     PELAGIC_TRY(step, sky::createStep(context, name, code, {sampled, sampled, sampled, Type::eUniformBuffer, storage},
                                       sizeof(shader::CloudView)));
     step.set.sampled(0, sky->clouds.volume.view(), *sky->repeat);
-    step.set.sampled(1, sky->clouds.detail.view(), *sky->repeat);
+    step.set.sampled(1, sky->clouds.detail.view(), *sky->repeatEverywhere);
     step.set.sampled(2, air.view(), *sky->turning);
     step.set.buffer(3, sky->light.handle());
     step.set.storageImage(4, output.mipView(0));
@@ -157,16 +157,12 @@ void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
   barrier.image(clear, gpu::kComputeStorageWrite, true)
       .image(radiance, gpu::kComputeStorageWrite, true)
       .record(*sky->context, commands);
-  clearStep.pass.bind(commands, clearStep.set);
-  clearStep.pass.push(commands, push);
-  clearStep.pass.dispatch(commands, shader::kClearSize / shader::kSkyTile,
-                          (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
+  clearStep.run(commands, push, shader::kClearSize / shader::kSkyTile,
+                (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*sky->context, commands);
   sky::recordMoonlit(*sky->context, commands, moonStep, moonlit, push, shader::kAirRows + shader::kClearSize);
-  radianceStep.pass.bind(commands, radianceStep.set);
-  radianceStep.pass.push(commands, push);
-  radianceStep.pass.dispatch(commands, shader::kRadianceWidth / shader::kSkyTile,
-                             shader::kRadianceHeight / shader::kSkyTile);
+  radianceStep.run(commands, push, shader::kRadianceWidth / shader::kSkyTile,
+                   shader::kRadianceHeight / shader::kSkyTile);
   barrier.image(radiance, kShaderRead).record(*sky->context, commands);
 }
 
@@ -176,13 +172,8 @@ void SkyView::Impl::recordClouds(vk::CommandBuffer commands, const shader::Cloud
   barrier.image(dome, gpu::kComputeStorageWrite, true)
       .image(clouds, gpu::kComputeStorageWrite, true)
       .record(context, commands);
-  domeStep.pass.bind(commands, domeStep.set);
-  domeStep.pass.push(commands, push);
-  domeStep.pass.dispatch(commands, shader::kDomeSize / shader::kSkyTile, shader::kDomeSize / shader::kSkyTile);
-  cloudStep.pass.bind(commands, cloudStep.set);
-  cloudStep.pass.push(commands, push);
-  cloudStep.pass.dispatch(commands, gpu::groups(push.width, shader::kSkyTile),
-                          gpu::groups(push.height, shader::kSkyTile));
+  domeStep.run(commands, push, shader::kDomeSize / shader::kSkyTile, shader::kDomeSize / shader::kSkyTile);
+  cloudStep.run(commands, push, gpu::groups(push.width, shader::kSkyTile), gpu::groups(push.height, shader::kSkyTile));
   barrier.image(dome, gpu::kComputeSampled).image(clouds, kShaderRead).record(context, commands);
   cleared = false;
 }
@@ -190,9 +181,7 @@ void SkyView::Impl::recordClouds(vk::CommandBuffer commands, const shader::Cloud
 void SkyView::Impl::recordLight(vk::CommandBuffer commands, const shader::CloudView& push) noexcept {
   environment.record(*sky->context, commands);
   gpu::Barrier().buffer(light, gpu::kComputeWrite).record(*sky->context, commands);
-  lightStep.pass.bind(commands, lightStep.set);
-  lightStep.pass.push(commands, push);
-  lightStep.pass.dispatch(commands, 1);
+  lightStep.run(commands, push, 1);
   gpu::Barrier().buffer(light, sky::kLightRead).record(*sky->context, commands);
 }
 
@@ -217,14 +206,8 @@ void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timing
   if (view.sky->cloudy()) {
     measured("sky clouds", [&] { view.recordClouds(commands, push); });
   } else if (!view.cleared) {
-    const auto none = [&](gpu::Image& image) {
-      gpu::Barrier().image(image, gpu::kTransferDestination, true).record(context, commands);
-      commands.clearColorImage(image.handle(), vk::ImageLayout::eTransferDstOptimal,
-                               vk::ClearColorValue(0.0f, 0.0f, 0.0f, 1.0f), image.range(), context.dispatch);
-      gpu::Barrier().image(image, kShaderRead).record(context, commands);
-    };
-    none(view.dome);
-    none(view.clouds);
+    sky::clearMap(context, commands, view.dome, {0, 0, 0, 1});
+    sky::clearMap(context, commands, view.clouds, {0, 0, 0, 1});
     view.cleared = true;
   }
   if (changed || view.sky->cloudy()) measured("sky view light", [&] { view.recordLight(commands, push); });

@@ -27,4 +27,12 @@ Result<gpu::Image> createMap(gpu::Context& context, std::string_view name, vk::E
   return gpu::Image::create(context, Stage::sky, name, info);
 }
 
+void clearMap(const gpu::Context& context, vk::CommandBuffer commands, gpu::Image& map,
+              const std::array<float, 4>& value) noexcept {
+  gpu::Barrier().image(map, gpu::kTransferDestination, true).record(context, commands);
+  commands.clearColorImage(map.handle(), vk::ImageLayout::eTransferDstOptimal, vk::ClearColorValue(value), map.range(),
+                           context.dispatch);
+  gpu::Barrier().image(map, kShaderRead).record(context, commands);
+}
+
 }  // namespace pelagic::sky

@@ -14,10 +14,12 @@ struct Water {
   vec2 position;   // undisplaced, from the eye [m]
   float farthest;  // distance of the farthest, which may lie on another wave [m],
   float depth;     // and how far the two are apart on the undisplaced sea [m]
+  bool everywhere; // no pixel of the tile is without water
 };
 
 Water waterOf(uvec2 first) {
   float least = -1.0, most = -1.0;
+  bool everywhere = true;
   ivec2 nearest = ivec2(first), farthest = ivec2(first);
   for (uint i = 0u; i < kTileSize * kTileSize; ++i) {
     uvec2 place = first + uvec2(i % kTileSize, i / kTileSize);
@@ -28,13 +30,15 @@ Water waterOf(uvec2 first) {
       least = axial;
       nearest = ivec2(place);
     }
+    everywhere = everywhere && pixel.water;
     if (axial > most) {
       most = axial;
       farthest = ivec2(place);
     }
   }
   vec2 position = texelFetch(waterPosition, nearest, 0).xy;
-  return Water(least, position, most, distance(position, texelFetch(waterPosition, farthest, 0).xy));
+  return Water(least, position, most, distance(position, texelFetch(waterPosition, farthest, 0).xy),
+               everywhere);
 }
 
 // How much a wave's face may lean toward the eye [rad].
@@ -71,18 +75,24 @@ uint foamingCascades(Water water, float view) {
   return mask;
 }
 
+// `word`: what a pass is told of the tile.
+void append(uint list, uvec2 tile, uint word) {
+  uint index = atomicAdd(tileWords[4u * list + 3u], 1u);
+  atomicMax(tileWords[4u * list], min(index + 1u, kTilesPerRow));
+  atomicMax(tileWords[4u * list + 1u], index / kTilesPerRow + 1u);
+  uint place = kTileListStart + 2u * (list * frame.tiles + index);
+  tileWords[place] = tile.x | tile.y << 16;
+  tileWords[place + 1u] = word;
+}
+
 void main() {
   uvec2 tile = gl_GlobalInvocationID.xy;
   if (tile.x * kTileSize >= frame.width || tile.y * kTileSize >= frame.height) return;
   Water water = waterOf(tile * kTileSize);
+  if (!water.everywhere) append(kSkyTiles, tile, 0u);
+  if (water.distance < 0.0) return;
   float view = steepestView(tile);
-  uint foaming = water.distance >= 0.0 ? foamingCascades(water, view) : 0u;
-  uint list = water.distance < 0.0 ? kSkyTiles : foaming == 0u ? kWaterTiles : kFoamTiles;
-  uint index = atomicAdd(tileWords[4u * list + 3u], 1u);
-  atomicMax(tileWords[4u * list], min(index + 1u, kTilesPerRow));
-  atomicMax(tileWords[4u * list + 1u], index / kTilesPerRow + 1u);
-  uint cascades = cascadesToSample(footprintSide(max(water.distance, 0.0) * frame.waterAlbedo.w, view));
-  uint word = kTileListStart + 2u * (list * frame.tiles + index);
-  tileWords[word] = tile.x | tile.y << 16;
-  tileWords[word + 1u] = cascades | foaming << 8;
+  uint foaming = foamingCascades(water, view);
+  uint cascades = cascadesToSample(footprintSide(water.distance * frame.waterAlbedo.w, view));
+  append(foaming == 0u ? kWaterTiles : kFoamTiles, tile, cascades | foaming << 8);
 }

@@ -1,5 +1,5 @@
 #version 460
-// Tiles without water: the sky, or the host's picture where it is nearer than the far plane.
+// Pixels without water: the sky, or the host's picture where it is nearer than the far plane.
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
 #include "composite/edges.glsl"
@@ -9,20 +9,17 @@
 void main() {
   Tile tile = readTile(kSkyTiles);
   if (!tile.valid) return;
+  Pixel pixel = readPixel(tile.pixel);
+  if (pixel.water) return;  // water.comp's
   vec3 ray = pixelRay(tile.pixel);
   float inverseLength = inversesqrt(dot(ray, ray));
   vec3 d = ray * inverseLength;
   vec4 clouds = cloudsBefore(tile.pixel);
   vec3 radiance = skyRadiance(skyPlace(d)) + bodies(d, frame.waterAlbedo.w * inverseLength);
   radiance = radiance * clouds.a + clouds.rgb;
-  float depth = frame.rayY.w;
-  if (kHasHost) {
-    Pixel pixel = readPixel(tile.pixel);
-    if (pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
-    depth = pixel.depth;
-  }
+  if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
   writeRadiance(tile.pixel, radiance);
   if (kHasNormal) imageStore(normalImage, tile.pixel, vec4(0));
   if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(0));
-  if (kHasMergedDepth) imageStore(mergedDepthImage, tile.pixel, vec4(depth));
+  if (kHasMergedDepth) imageStore(mergedDepthImage, tile.pixel, vec4(pixel.depth));
 }

@@ -1,5 +1,5 @@
 #version 460
-// Tiles with water: the sea's light and foam through the air; other pixels of such a tile are sky or the host's picture.
+// Pixels of water: the sea's light and foam through the air.
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/constants.h"
 #include "composite/bindings.glsl"
@@ -41,54 +41,42 @@ void main() {
   Tile tile = readTile(kFoaming ? kFoamTiles : kWaterTiles);
   if (!tile.valid) return;
   Pixel pixel = readPixel(tile.pixel);
+  if (!pixel.water) return;  // sky.comp's
   vec3 ray = pixelRay(tile.pixel);
   float rayLength = length(ray);
   vec3 d = ray / rayLength;
-
-  // The same place serves the sky of a sky pixel and the air before a water pixel, also before a crest over the horizon.
-  vec2 place = skyPlace(pixel.water ? vec3(d.x, min(d.y, (frame.thickCrest.w - 1e-4) * length(d.xz)), d.z) : d);
-  vec3 beyond = skyRadiance(place);
-  vec3 radiance = beyond;
-  vec4 normal = vec4(0);
-  vec2 variance = vec2(0);
-  if (pixel.water) {
-    float axial = axialDistance(pixel.waterDepth);
-    float away = axial * rayLength;
-    vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
-    vec3 v = levelled(-d, p);
-    vec3 l = levelled(light.sunDirection.xyz, p);
-    // What a pixel covers of the undisplaced sea, from its neighbours above and below, as far as they are water; one of them
-    // may lie beyond a crest.
-    float across = axial * frame.waterAlbedo.w;
-    float a = distanceToNeighbour(tile.pixel - ivec2(0, 1), p);
-    float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
-    float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
-    float side = footprintSide(across, across / max(along, across));
-    SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
-    vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
-    radiance = seaRadiance(sea, v, l, sun, horizonRadiance(place));
-    normal.xyz = sea.normal;
-    if (kFoaming) {
-      Foam foam = foamAt(sea.foam, p, side);
-      vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
-      radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
-      normal.w = foam.cover;
-    }
-    radiance = mix(beyond, radiance, airTransmittance(away));
-    variance = sea.residual.xy;
-    // Clouds hide the sea from an eye above them.
-    if (kHasClouds && frame.absorption.w > light.cloudPlace.w) {
-      vec4 clouds = cloudsBefore(tile.pixel);
-      radiance = radiance * clouds.a + clouds.rgb;
-    }
-  } else {
-    vec4 clouds = cloudsBefore(tile.pixel);
-    radiance = (radiance + bodies(d, frame.waterAlbedo.w / rayLength)) * clouds.a + clouds.rgb;
+  // The air before the pixel, also before a crest over the horizon.
+  vec2 place = skyPlace(vec3(d.x, min(d.y, (frame.thickCrest.w - 1e-4) * length(d.xz)), d.z));
+  float axial = axialDistance(pixel.waterDepth);
+  vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
+  vec3 v = levelled(-d, p);
+  vec3 l = levelled(light.sunDirection.xyz, p);
+  // What a pixel covers of the undisplaced sea, from its neighbours above and below, as far as they are water; one of them
+  // may lie beyond a crest.
+  float across = axial * frame.waterAlbedo.w;
+  float a = distanceToNeighbour(tile.pixel - ivec2(0, 1), p);
+  float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
+  float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
+  float side = footprintSide(across, across / max(along, across));
+  SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
+  vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
+  vec3 radiance = seaRadiance(sea, v, l, sun, horizonRadiance(place));
+  vec4 normal = vec4(sea.normal, 0);
+  if (kFoaming) {
+    Foam foam = foamAt(sea.foam, p, side);
+    vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
+    radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
+    normal.w = foam.cover;
   }
-  if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
+  radiance = mix(skyRadiance(place), radiance, airTransmittance(axial * rayLength));
+  // Clouds hide the sea from an eye above them.
+  if (kHasClouds && frame.absorption.w > light.cloudPlace.w) {
+    vec4 clouds = cloudsBefore(tile.pixel);
+    radiance = radiance * clouds.a + clouds.rgb;
+  }
 
   writeRadiance(tile.pixel, radiance);
   if (kHasNormal) imageStore(normalImage, tile.pixel, normal);
-  if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(variance, 0, 0));
+  if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(sea.residual.xy, 0, 0));
   if (kHasMergedDepth) imageStore(mergedDepthImage, tile.pixel, vec4(pixel.depth));
 }

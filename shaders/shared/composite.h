@@ -9,8 +9,8 @@ PELAGIC_SHADER_BEGIN
 PELAGIC_SHADER_CONSTANT uint kTileSize = 8u;
 // Tiles of a list dispatched along x before the next row of groups starts; below every device's limit.
 PELAGIC_SHADER_CONSTANT uint kTilesPerRow = 32768u;
-// Tile lists.
-PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // no water seen: sky, or the host's picture
+// Tile lists. A tile may be on the first and on one of the others: each pass draws its own pixels.
+PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // sky or the host's picture in at least one pixel
 PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
 PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
 PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;

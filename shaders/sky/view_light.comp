@@ -36,18 +36,9 @@ void main() {
     if (i < half_) partial[i] += partial[i + half_];
   }
   if (i == 0) {
-    light.sunDirection = sky.sunDirection;
-    light.sunIrradiance = sky.sunIrradiance;
-    light.sunRadiance = sky.sunRadiance;
-    light.skyIrradiance = view.cover > 0.0 ? vec4(partial[0], sky.skyIrradiance.w) : sky.skyIrradiance;
-    light.rayleighExtinction = sky.rayleighExtinction;
-    light.mieExtinction = sky.mieExtinction;
-    light.cloudZenith = sky.cloudZenith;
-    light.cloudSun = sky.cloudSun;
-    light.moonDirection = sky.moonDirection;
-    light.moonRadiance = sky.moonRadiance;
-    light.moonLit = sky.moonLit;
-    light.stars = sky.stars;
-    light.cloudPlace = vec4(view.place, 1.0 / kCloudTile, view.cover > 0.0 ? view.rayX.w : 1e9);
+    SkyLight seen = sky;
+    if (view.cover > 0.0) seen.skyIrradiance.rgb = partial[0];
+    seen.cloudPlace = vec4(view.place, 1.0 / kCloudTile, view.cover > 0.0 ? view.rayX.w : seen.cloudPlace.w);
+    light = seen;
   }
 }

@@ -136,6 +136,23 @@ TEST_F(CloudsTest, DriftIsTheSameAsAnEyeThatMovesAgainstIt) {
   EXPECT_GT(4 * difference / static_cast<double>(later.clouds.size()), 0.02);
 }
 
+/// What tears the edges repeats with the altitude as it does along the sea: it is not drawn out to curtains.
+TEST_F(CloudsTest, EdgesAreTornInAllDirections) {
+  const auto at = [&](double base) {
+    pelagic::SkyState state = stateOf(0.5);
+    state.clouds.base = base;
+    return look(state, vertical({0, base + 3000, 0}, false, 0.5)).clouds;
+  };
+  const std::vector<float> one = at(1000), period = at(1000 + static_cast<double>(shader::kCloudDetailTile)),
+                           half = at(1000 + 0.5 * static_cast<double>(shader::kCloudDetailTile));
+  double same = 0, other = 0;
+  for (std::size_t i = 3; i < one.size(); i += 4) {
+    same += std::abs(one[i] - period[i]);
+    other += std::abs(one[i] - half[i]);
+  }
+  EXPECT_GT(other, 3 * same);
+}
+
 /// However thin and far, a layer that shades the sea is seen.
 TEST_F(CloudsTest, AThinLayerIsSeenFromFarBelowAndFarAbove) {
   pelagic::SkyState state = stateOf(1);

@@ -10,7 +10,8 @@ vec4 waveWarpTurns(WaveWarp warp, int group, vec2 p) {
 }
 
 // How far from p its water lies in every patch [m], so that no two places far from each other see the same waves; but for
-// what it is at the world's origin, which is taken off the texture coordinate of the placement. The waves are parabolas, 8 t (1 - 2 |t|), as smooth as is needed and the same to the last digits everywhere.
+// what it is at the world's origin, which is taken off the texture coordinate of the placement. The waves are parabolas,
+// 8 t (1 - 2 |t|), as smooth as is needed and the same to the last digits everywhere.
 vec2 waveWarp(WaveWarp warp, vec2 p) {
   vec2 shift = vec2(0);
   for (int i = 0; i < 2; ++i) {
