@@ -32,7 +32,7 @@ OceanView::~OceanView() = default;
 Result<Ocean> Ocean::create(Device& device, const OceanInfo& info) {
   PELAGIC_CHECK(validate(info.medium));
   PELAGIC_TRY(waves, Waves::create(device, info.waves));
-  PELAGIC_TRY(sky, Sky::create(device, info.sky));
+  PELAGIC_TRY(sky, Sky::create(device, info.sky, info.environment));
   PELAGIC_TRY(surface, Surface::create(device, info.surface));
   PELAGIC_TRY(composite, Composite::create(device));
   return Ocean(std::make_unique<Impl>(
@@ -45,6 +45,8 @@ Result<void> Ocean::setSea(const SeaState& sea, const SeaTransition& transition)
 Result<void> Ocean::setGain(const GainMap& map) { return impl_->waves.setGain(map); }
 
 Result<void> Ocean::setSky(const SkyState& sky) { return impl_->sky.setState(sky); }
+
+Result<void> Ocean::setEnvironment(const SkyEnvironment& environment) { return impl_->sky.setEnvironment(environment); }
 
 Result<void> Ocean::setMedium(const WaterMedium& medium) {
   PELAGIC_CHECK(validate(medium));

@@ -33,6 +33,12 @@ FloatImage readImage(const std::string& where, const std::string& text, const st
   const auto file = OIIO::ImageInput::open(path);
   if (!file) refuse(where, text, "an image in FILE: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = file->spec();
+  // Not to run out of memory over a number in a broken header.
+  constexpr std::int64_t kMostPixels = 1 << 25;
+  if (std::int64_t{spec.width} * spec.height > kMostPixels) {
+    refuse(where, text,
+           fmt::format("an image in FILE of at most {} pixels, not {} x {}", kMostPixels, spec.width, spec.height));
+  }
   FloatImage image;
   image.width = static_cast<std::uint32_t>(spec.width);
   image.height = static_cast<std::uint32_t>(spec.height);

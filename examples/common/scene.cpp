@@ -7,6 +7,7 @@
 #include <limits>
 #include <regex>
 
+#include "environment_file.hpp"
 #include "failure.hpp"
 #include "settings_file.hpp"
 
@@ -52,6 +53,21 @@ void lookUpSky(Scene& scene) {
   scene.sky.moonAzimuth = bodies.moonAzimuth;
   scene.sky.moonIlluminated = bodies.moonIlluminated;
   scene.sky.starsToWorld = bodies.equatorialToWorld;
+}
+
+Fields environmentFields(pelagic::SkyEnvironment& environment) {
+  return {
+      {"environment", "FILE|none",
+       "Picture of the sky's radiance in place of the sky, its sun, moon and clouds, also with its sun in it: "
+       "longitude x "
+       "latitude, twice as wide as high, at most 4096 wide, linear",
+       [&environment](const std::string& where, const std::vector<std::string>& texts) {
+         readEnvironment(where, texts.front(), environment);
+       }},
+      numberField("environment-scale", "X", "Factor on the picture's radiance", {0, 1e6, ""}, environment.scale),
+      numberField("environment-turn", "DEG", "Direction of the picture's left edge, from +x turning to +z",
+                  {-360, 360, "degrees"}, environment.rotation, kDegree),
+  };
 }
 
 /// Before the fields of sun and moon, which override what they say.
@@ -120,7 +136,7 @@ Fields lightFields(Scene& scene) {
          scene.metered = texts.front() == "on";
        }},
   };
-  return dateFields(scene) + sky + viewFields(scene.view);
+  return dateFields(scene) + environmentFields(scene.environment) + sky + viewFields(scene.view);
 }
 
 void loadScene(const std::string& option, const std::string& name, Scene& scene) {
@@ -175,6 +191,7 @@ pelagic::OceanInfo oceanInfo(const Scene& scene) {
   pelagic::OceanInfo info;
   info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);
   info.sky = skyState(scene);
+  info.environment = scene.environment;
   info.medium = scene.medium;
   return info;
 }

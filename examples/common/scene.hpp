@@ -17,6 +17,7 @@ struct Scene {
   double time = 0;  ///< [s]
   SeaSettings sea;
   pelagic::SkyState sky;
+  pelagic::SkyEnvironment environment;     ///< In place of the sky, where it has a width.
   std::optional<pelagic::Place> place;     ///< Where the scene lies; then +x is east and +z south.
   std::optional<pelagic::CivilTime> date;  ///< When.
   pelagic::WaterMedium medium;

@@ -8,6 +8,7 @@ namespace pelagic {
 struct OceanInfo {
   WavesInfo waves;
   SkyState sky;
+  SkyEnvironment environment;  ///< In place of the sky, where it has a width.
   SurfaceInfo surface;
   WaterMedium medium;
 };
@@ -26,6 +27,7 @@ class Ocean {
   Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
   Result<void> setGain(const GainMap& map);
   Result<void> setSky(const SkyState& sky);
+  Result<void> setEnvironment(const SkyEnvironment& environment);
   Result<void> setMedium(const WaterMedium& medium);
 
   /// Binds the host's images of one view. The view must not outlive the ocean.

@@ -9,10 +9,12 @@
 #include <pelagic/shader/constants.h>
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <pelagic/camera.hpp>
 #include <pelagic/device.hpp>
 #include <pelagic/image.hpp>
 #include <pelagic/timings.hpp>
+#include <vector>
 
 namespace pelagic {
 
@@ -44,6 +46,36 @@ struct SkyState {
   glm::dmat3 starsToWorld{1};
 };
 Result<void> validate(const SkyState& state);
+
+/// A sun beside a host's picture of the sky.
+struct EnvironmentSun {
+  double elevation = 0;     ///< Above the horizontal [rad], 0 … pi/2.
+  double azimuth = 0;       ///< Toward it, from +x turning to +z [rad], finite; not turned with the picture.
+  glm::vec3 irradiance{0};  ///< At sea level on a plane facing it, in the units of this header, 0 … 1e9 each.
+};
+
+/// A host's picture of the sky, longitude x latitude, that stands in place of Pelagic's: then of SkyState the haze
+/// alone counts. Its upper half is the sky, what is below the horizon is not used. Nor does an eye's altitude change
+/// it: the rows are spread between the zenith and the eye's own horizon. Into the distance the sea takes the colour of
+/// the horizon above it, as the haze thickens.
+struct SkyEnvironment {
+  std::uint32_t width = 0;   ///< Pixels of a row, 4 … 4096, a multiple of 4; 0: no picture, the sky is Pelagic's.
+  std::uint32_t height = 0;  ///< Rows: half of width.
+  /// Radiance, linear Rec.709, 0 … 1e9 each: rows from the zenith to the nadir, the centre of pixel (i, j) at the
+  /// azimuth 2 pi (i + 1/2)/width, from +x turning to +z (to the right, for who looks at it), and the elevation
+  /// pi/2 - pi (j + 1/2)/height. Times `scale`, more than 6e4 outside the sun is held at that: maps are halves.
+  std::vector<glm::vec3> radiance;
+  double scale = 1;     ///< Factor on the radiance, into the units of this header or the host's own [1], 0 … 1e6.
+  double rotation = 0;  ///< Turns the picture, from +x to +z [rad], finite.
+  /// Without it the sun is looked for in the picture: within 2.5 degrees (or 1.5 pixels) of the brightest pixel above
+  /// the horizon, what exceeds the mean of the ring around, twice as wide. Where the mean luminance there is at least
+  /// four times the ring's, that light is a sun: it leaves the picture and becomes SkyLight's directional sun of the
+  /// same irradiance, with a disc of kSunAngularRadius, which glitters sharply. Else there is no sun. A sun given here
+  /// is one that the picture does not show; of the irradiance 0, it says that there is none.
+  std::optional<EnvironmentSun> sun;
+};
+/// The error names the field, its value and its range.
+Result<void> validate(const SkyEnvironment& environment);
 
 /// Factor on all light of the sky: 1 while the sun is higher than 2 degrees below the horizon, then 2^1.45 more per
 /// degree down to 2^20. SkyLight::skyIrradiance.w holds it for a host that adds lamps of its own.
@@ -77,13 +109,17 @@ struct SkyMaps {
 /// Move-only; one thread at a time.
 class Sky {
  public:
-  static Result<Sky> create(Device& device, const SkyState& state);
+  /// `environment`: a picture instead; what comes by setEnvironment() has its size.
+  static Result<Sky> create(Device& device, const SkyState& state, const SkyEnvironment& environment = {});
   Sky(Sky&&) noexcept;
   Sky& operator=(Sky&&) noexcept;
   ~Sky();
 
   /// Takes effect with the next record(). On error nothing changes.
   Result<void> setState(const SkyState& state);
+  /// Likewise; a picture of the size given to create(), or none: Pelagic's sky again. The picture is read while the
+  /// commands of the next record() execute, which must have ended before the record() after another picture was set.
+  Result<void> setEnvironment(const SkyEnvironment& environment);
   /// Recomputes the maps when the state changed since the last call, else records nothing. `time` [s], any finite
   /// value: where the clouds have drifted to by then is seen in views.
   void record(VkCommandBuffer commands, double time, Timings* timings = nullptr) noexcept;

@@ -75,7 +75,7 @@ void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step
 Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name) {
   using Usage = vk::BufferUsageFlagBits;
   return gpu::Buffer::create(context, Stage::sky, name, sizeof(shader::SkyLight),
-                             Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc);
+                             Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst);
 }
 
 }  // namespace sky
@@ -147,6 +147,10 @@ Result<void> Sky::Impl::createSteps() {
   environment = std::move(filtered);
   PELAGIC_TRY(layer, sky::Clouds::create(*context, *repeat));
   clouds = std::move(layer);
+  PELAGIC_TRY(picture, sky::HostPicture::create(*context, hostSky));
+  hostPicture = std::move(picture);
+  PELAGIC_TRY(shown, hostPicture.createStep(*context, *turning, radiance));
+  hostStep = std::move(shown);
   return {};
 }
 
@@ -183,6 +187,19 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const shader::SkyPass
   if (timings) timings->end(commands);
 }
 
+/// The picture in place of air and radiance.
+void Sky::Impl::recordHost(vk::CommandBuffer commands, Timings* timings) noexcept {
+  if (timings) timings->begin(commands, "sky radiance");
+  if (hostChanged) hostPicture.upload(*context, commands, hostSky);
+  hostChanged = false;
+  sky::recordHostSky(*context, commands, hostStep, radiance, hostSky);
+  const shader::SkyLight block = sky::hostLight(hostSky, state.haze);
+  gpu::Barrier().buffer(light, gpu::kTransferWrite).record(*context, commands);
+  commands.updateBuffer(light.handle(), 0, sizeof(block), &block, context->dispatch);
+  gpu::Barrier().buffer(light, sky::kLightRead).record(*context, commands);
+  if (timings) timings->end(commands);
+}
+
 void Sky::Impl::recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept {
   if (timings) timings->begin(commands, "sky environment");
   environment.record(*context, commands);
@@ -204,11 +221,13 @@ Sky::Sky(Sky&&) noexcept = default;
 Sky& Sky::operator=(Sky&&) noexcept = default;
 Sky::~Sky() = default;
 
-Result<Sky> Sky::create(Device& device, const SkyState& state) {
+Result<Sky> Sky::create(Device& device, const SkyState& state, const SkyEnvironment& environment) {
   PELAGIC_CHECK(validate(state));
+  PELAGIC_CHECK(validate(environment));
   auto impl = std::make_unique<Impl>();
   impl->context = &device.context();
   impl->state = state;
+  impl->hostSky = sky::hostSky(environment);
   PELAGIC_CHECK(impl->createResources());
   PELAGIC_CHECK(impl->createSteps());
   return Sky(std::move(impl));
@@ -222,23 +241,42 @@ Result<void> Sky::setState(const SkyState& state) {
   CloudLayer moved = now.clouds;
   moved.velocity = state.clouds.velocity;
   impl_->cloudsChanged |= state.clouds != moved;
-  impl_->changed |= state.haze != now.haze || state.sunElevation != now.sunElevation ||
-                    state.sunAzimuth != now.sunAzimuth || state.overcast != now.overcast || state.clouds != moved ||
-                    state.moonElevation != now.moonElevation || state.moonAzimuth != now.moonAzimuth ||
-                    state.moonIlluminated != now.moonIlluminated || state.starsToWorld != now.starsToWorld;
+  const bool lit = state.sunElevation != now.sunElevation || state.sunAzimuth != now.sunAzimuth ||
+                   state.overcast != now.overcast || state.clouds != moved ||
+                   state.moonElevation != now.moonElevation || state.moonAzimuth != now.moonAzimuth ||
+                   state.moonIlluminated != now.moonIlluminated || state.starsToWorld != now.starsToWorld;
+  impl_->changed |= state.haze != now.haze || (lit && !impl_->hosted());
   now = state;
+  return {};
+}
+
+Result<void> Sky::setEnvironment(const SkyEnvironment& environment) {
+  PELAGIC_CHECK(validate(environment));
+  const std::uint32_t width = impl_->hostPicture.width();
+  if (environment.width != 0 && environment.width != width) {
+    return gpu::reject("SkyEnvironment::width is " + std::to_string(environment.width) + ", it must be " +
+                       (width == 0 ? "" : std::to_string(width) + " as at create(), or ") + "0" +
+                       (width == 0 ? ": Sky::create() was given no picture" : ""));
+  }
+  impl_->hostSky = sky::hostSky(environment);
+  impl_->hostChanged = impl_->changed = true;
   return {};
 }
 
 void Sky::record(VkCommandBuffer commands, double time, Timings* timings) noexcept {
   impl_->time = time;
   if (!impl_->changed) return;
-  const shader::SkyPass push = sky::passOf(impl_->state, 0, 0);
-  if (impl_->airChanged) impl_->recordAir(commands, push, timings);
-  impl_->recordRadiance(commands, push, timings);
+  if (impl_->hosted()) {
+    impl_->recordHost(commands, timings);
+  } else {
+    const shader::SkyPass push = sky::passOf(impl_->state, 0, 0);
+    if (impl_->airChanged) impl_->recordAir(commands, push, timings);
+    impl_->recordRadiance(commands, push, timings);
+    impl_->airChanged = false;
+  }
   impl_->recordEnvironment(commands, timings);
   impl_->recordClouds(commands, timings);
-  impl_->airChanged = impl_->changed = false;
+  impl_->changed = false;
   ++impl_->version;
 }
 

@@ -3,6 +3,7 @@
 
 #include <sky/clouds.hpp>
 #include <sky/environment.hpp>
+#include <sky/host_picture.hpp>
 
 namespace pelagic {
 
@@ -39,6 +40,8 @@ struct Sky::Impl {
   bool airChanged = true;  ///< What depends on the haze alone must be computed again.
   bool changed = true;
   bool cloudsChanged = true;  ///< Their shape.
+  sky::HostSky hostSky;       ///< Shown instead, where it has a width.
+  bool hostChanged = true;
   std::uint64_t version = 0;  ///< Counts the states that were recorded.
   gpu::Image transmittance, clear, moonlit, radiance;
   gpu::Buffer scattering, light;
@@ -46,12 +49,17 @@ struct Sky::Impl {
   sky::Step transmittanceStep, scatteringStep, clearStep, moonStep, lightStep, radianceStep;
   sky::Environment environment;
   sky::Clouds clouds;
+  sky::HostPicture hostPicture;
+  sky::Step hostStep;
 
-  bool cloudy() const noexcept { return state.clouds.cover > 0; }
+  bool hosted() const noexcept { return hostSky.width > 0; }
+  double cloudCover() const noexcept { return hosted() ? 0 : state.clouds.cover; }
+  bool cloudy() const noexcept { return cloudCover() > 0; }
   Result<void> createResources();
   Result<void> createSteps();
   void recordAir(vk::CommandBuffer commands, const shader::SkyPass& push, Timings* timings) noexcept;
   void recordRadiance(vk::CommandBuffer commands, const shader::SkyPass& push, Timings* timings) noexcept;
+  void recordHost(vk::CommandBuffer commands, Timings* timings) noexcept;
   void recordEnvironment(vk::CommandBuffer commands, Timings* timings) noexcept;
   void recordClouds(vk::CommandBuffer commands, Timings* timings) noexcept;
 };

@@ -18,7 +18,7 @@ struct SkyView::Impl {
   vk::Extent2D extent;  ///< Of the view.
   gpu::Image clear, moonlit, radiance, dome, clouds;
   gpu::Buffer light;
-  sky::Step clearStep, moonStep, radianceStep, domeStep, cloudStep, lightStep;
+  sky::Step clearStep, moonStep, radianceStep, hostStep, domeStep, cloudStep, lightStep;
   sky::Environment environment;
   std::uint64_t version = 0;  ///< Of the sky's state in the maps; 0: none yet.
   double altitude = std::numeric_limits<double>::quiet_NaN();
@@ -72,7 +72,7 @@ Result<void> SkyView::Impl::createImages() {
   };
   PELAGIC_CHECK(image(clear, "sky view clear", {shader::kClearSize, shader::kAirRows + shader::kClearSize}));
   PELAGIC_CHECK(image(moonlit, "sky view moonlit", {shader::kClearSize, shader::kAirRows + shader::kClearSize}));
-  PELAGIC_CHECK(image(radiance, "sky view radiance", {shader::kRadianceWidth, shader::kRadianceHeight}));
+  PELAGIC_CHECK(image(radiance, "sky view radiance", sky->hostPicture.radianceExtent()));
   PELAGIC_CHECK(image(dome, "sky view dome", {shader::kDomeSize, shader::kDomeSize}));
   PELAGIC_CHECK(image(clouds, "sky view clouds", cloudExtent(extent)));
   PELAGIC_TRY(block, sky::createLight(context, "sky view light"));
@@ -101,6 +101,8 @@ Result<void> SkyView::Impl::createAir() {
   radianceStep.set.buffer(1, sky->light.handle());
   radianceStep.set.storageImage(2, radiance.mipView(0));
   radianceStep.set.sampled(3, moonlit.view(), *sky->clamped);
+  PELAGIC_TRY(shown, sky->hostPicture.createStep(context, *sky->turning, radiance));
+  hostStep = std::move(shown);
   return {};
 }
 
@@ -145,7 +147,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
   const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - drift) / kTile;
   view.place = glm::vec2(place - glm::floor(place));
   view.edge = shader::horizonElevation(static_cast<float>(altitude));
-  view.cover = static_cast<float>(layer.cover);
+  view.cover = static_cast<float>(sky->cloudCover());
   view.width = clouds.info().extent.width;
   view.height = clouds.info().extent.height;
   return view;
@@ -161,8 +163,8 @@ void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
                 (shader::kAirRows + shader::kClearSize) / shader::kSkyTile);
   barrier.image(clear, gpu::kComputeSampled).record(*sky->context, commands);
   sky::recordMoonlit(*sky->context, commands, moonStep, moonlit, push, shader::kAirRows + shader::kClearSize);
-  radianceStep.run(commands, push, shader::kRadianceWidth / shader::kSkyTile,
-                   shader::kRadianceHeight / shader::kSkyTile);
+  const vk::Extent2D size = radiance.info().extent;
+  radianceStep.run(commands, push, size.width / shader::kSkyTile, size.height / shader::kSkyTile);
   barrier.image(radiance, kShaderRead).record(*sky->context, commands);
 }
 
@@ -201,7 +203,13 @@ void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timing
     pass();
     if (timings) timings->end(commandBuffer);
   };
-  if (moved) measured("sky view", [&] { view.recordAir(commands); });
+  if (view.sky->hosted()) {
+    // The same from every altitude.
+    const auto show = [&] { sky::recordHostSky(context, commands, view.hostStep, view.radiance, view.sky->hostSky); };
+    if (changed) measured("sky view", show);
+  } else if (moved) {
+    measured("sky view", [&] { view.recordAir(commands); });
+  }
   const shader::CloudView push = view.cloudView(camera);
   if (view.sky->cloudy()) {
     measured("sky clouds", [&] { view.recordClouds(commands, push); });

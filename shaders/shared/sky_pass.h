@@ -43,6 +43,13 @@ struct SkyPass {
   vec4 night;          // x: share of the light of a moonless night that is added
 };
 
+// Push constants of the pass that shows a host's picture.
+struct HostSkyPass {
+  float turn;  // of the picture, from +x to +z [turns]
+  float padding1;
+  vec2 padding2;
+};
+
 // Push constants of the passes that make the volume.
 struct CloudPass {
   vec4 sunDirection;  // xyz toward the sun (world)

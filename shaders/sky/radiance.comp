@@ -20,7 +20,7 @@ float placeFrom(float u, float azimuth) { return sqrt(2.0 * abs(fract(u - azimut
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  vec2 uv = (vec2(texel) + 0.5) / vec2(kRadianceWidth, kRadianceHeight);
+  vec2 uv = (vec2(texel) + 0.5) / vec2(imageSize(radiance));
   float row = 2.0 * uv.y - 1.0;
   float rows = row > 0.0 ? row * float(kClearSize) : row * float(pass.airRows);
   // Not across the horizon: the two sides are different things.
