@@ -130,8 +130,9 @@ SunSpot findSun(const Hemisphere& sky) {
     most = here;
     spot.centre = glm::normalize(sky.direction(x, y));
   });
-  const double reach = std::max(kSunReach, 1.5 * 2 * kPi / sky.width());
-  const double inner = std::cos(reach), outer = std::cos(2 * reach);
+  const double pixel = 2 * kPi / sky.width(), reach = std::max(kSunReach, 1.5 * pixel);
+  // Thin, so that an aureole that is cut off at its mean shows no edge.
+  const double inner = std::cos(reach), outer = std::cos(reach + std::max(0.2 * reach, pixel));
   glm::dvec3 inside(0), around(0);
   double insideAngle = 0, aroundAngle = 0;
   forEachPixel(sky, [&](std::uint32_t x, std::uint32_t y) {

@@ -1,4 +1,8 @@
 /// Bad input of pelagic-render: status 2 and one line.
+#include <fmt/format.h>
+
+#include <limits>
+
 #include "bad_values.hpp"
 #include "command.hpp"
 
@@ -25,6 +29,9 @@ const std::vector<cli::Bad>& badPicture() {
       {"--place", {"90.1,0", "nan,0"}, "latitude -90 to 90 degrees"},
       {"--place", {"0,361"}, "longitude -360 to 360 degrees"},
       {"--place", {"50", "50,4,3", "''"}, "LAT,LON"},
+      {"--environment", {"missing.exr", "''"}, "an image in FILE"},
+      {"--environment-scale", {"-1", "nan", "1000001"}, "0 to 1000000"},
+      {"--environment-turn", {"361", "inf", "''"}, "-360 to 360 degrees"},
       {"--overcast", {"-0.1", "1.1", "nan", "''"}, "0 to 1"},
       {"--haze", {"-1", "21", "inf", "''"}, "0 to 20"},
       {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
@@ -43,6 +50,27 @@ TEST_F(RenderOptionsTest, PictureOutOfRange) {
   for (const cli::Bad& bad : badPicture()) {
     for (const char* value : bad.values) refused("render", std::string(bad.option) + " " + value, answer(bad, value));
   }
+}
+
+TEST_F(RenderOptionsTest, EnvironmentsThatAreNoSky) {
+  const auto write = [&](const std::string& name, int width, int height, float bad) {
+    std::vector<float> values(static_cast<std::size_t>(width * height) * 3, 1.0f);
+    values.back() = bad;  // rows from the bottom: the last pixel of the zenith's
+    writeFile(name, fmt::format("PF\n{} {}\n-1.0\n", width, height) +
+                        std::string(reinterpret_cast<const char*>(values.data()), 4 * values.size()));
+  };
+  write("square.pfm", 8, 8, 1);
+  refused("render", "--environment square.pfm", {"--environment", "'square.pfm'", "height is 8", "half of width, 4"});
+  write("nan.pfm", 8, 4, std::numeric_limits<float>::quiet_NaN());
+  refused("render", "--environment nan.pfm", {"--environment", "'nan.pfm'", "radiance[7] is (1, 1, nan)", "0 … 1e9"});
+  write("negative.pfm", 8, 4, -2);
+  refused("render", "--environment negative.pfm", {"'negative.pfm'", "radiance[7] is (1, 1, -2)", "0 … 1e9"});
+  write("wide.pfm", 4100, 2050, 1);
+  refused("render", "--environment wide.pfm", {"'wide.pfm'", "width is 4100", "4 … 4096"});
+  writeFile("huge.pfm", "PF\n100000 50000\n-1.0\n");
+  refused("render", "--environment huge.pfm", {"'huge.pfm'", "at most 33554432 pixels, not 100000 x 50000"});
+  writeFile("scene.toml", "environment = \"nan.pfm\"\n");
+  refused("render", "--scene scene.toml", {"scene.toml:1: environment", "'nan.pfm'", "0 … 1e9"});
 }
 
 TEST_F(RenderOptionsTest, ContradictionsAreRefused) {

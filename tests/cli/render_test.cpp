@@ -31,6 +31,28 @@ TEST_F(RenderTest, WritesPng) {
   EXPECT_GT(image.at("B", 48, 4), image.at("B", 48, 60));  // brighter than the sea below it
 }
 
+TEST_F(RenderTest, AnEnvironmentStandsInTheSky) {
+  // Red toward +x and blue toward -x; the lower half, in the file's first rows, is not seen.
+  std::vector<float> values;
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 16; ++column) {
+      const bool ahead = column < 4 || column >= 12;
+      for (const float value : {ahead ? 2.0f : 0.0f, 1.0f, ahead ? 0.0f : 2.0f}) values.push_back(row < 4 ? 50 : value);
+    }
+  }
+  writeFile("sky.pfm", "PF\n16 8\n-1.0\n" +
+                           std::string(reinterpret_cast<const char*>(values.data()), sizeof(float) * values.size()));
+  const std::string look = " --environment sky.pfm --camera 0,3,0 --look-at 100,20,0";
+  const cli::Image ahead = render(look + " --environment-scale 0.25");
+  EXPECT_EQ(ahead.at("R", 48, 4), 0.5);
+  EXPECT_EQ(ahead.at("G", 48, 4), 0.25);
+  EXPECT_EQ(ahead.at("B", 48, 4), 0);
+  EXPECT_GT(ahead.at("R", 48, 62), ahead.at("B", 48, 62));  // and so in the sea
+  const cli::Image turned = render(look + " --environment-turn 180");
+  EXPECT_EQ(turned.at("R", 48, 4), 0);
+  EXPECT_EQ(turned.at("B", 48, 4), 2);
+}
+
 TEST_F(RenderTest, ExposureIsInStops) {
   succeed("render", "--exposure -32 --output dark.png" + kSmall);
   const cli::Image dark = cli::readImage(path("dark.png"));
