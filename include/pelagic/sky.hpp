@@ -68,11 +68,10 @@ struct SkyEnvironment {
   double scale = 1;     ///< Factor on the radiance, into the units of this header or the host's own [1], 0 … 1e6.
   double rotation = 0;  ///< Turns the picture, from +x to +z [rad], finite.
   /// Without it the sun is looked for in the picture: within 2.5 degrees (or 1.5 pixels) of the brightest pixel above
-  /// the horizon, what exceeds the mean of a
-  /// narrow ring around. Where the mean luminance there is at least
-  /// four times the ring's, that light is a sun: it leaves the picture and becomes SkyLight's directional sun of the
-  /// same irradiance, with a disc of kSunAngularRadius, which glitters sharply. Else there is no sun. A sun given here
-  /// is one that the picture does not show; of the irradiance 0, it says that there is none.
+  /// the horizon, what exceeds the mean of a narrow ring around. Where the mean luminance there is at least four times
+  /// the ring's, that light is a sun: it leaves the picture and becomes SkyLight's directional sun of the same
+  /// irradiance, with a disc of kSunAngularRadius, which glitters sharply. Else there is no sun. A sun given here is
+  /// one that the picture does not show; of the irradiance 0, it says that there is none.
   std::optional<EnvironmentSun> sun;
 };
 /// The error names the field, its value and its range.

@@ -82,27 +82,31 @@ double luminance(const glm::dvec3& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0
 /// The sky's half of a picture, in the picture's own frame.
 class Hemisphere {
  public:
-  explicit Hemisphere(const SkyEnvironment& environment) : environment_(environment), rows_(environment.height / 2) {}
+  explicit Hemisphere(const SkyEnvironment& environment) : environment_(environment) {
+    for (std::uint32_t y = 0; y <= rows(); ++y) sines_.push_back(std::cos(kPi / 2 * y / rows()));
+    for (std::uint32_t x = 0; x < width(); ++x) {
+      const double azimuth = 2 * kPi * (x + 0.5) / width();
+      azimuths_.emplace_back(std::cos(azimuth), std::sin(azimuth));
+    }
+  }
 
   std::uint32_t width() const { return environment_.width; }
-  std::uint32_t rows() const { return rows_; }
+  std::uint32_t rows() const { return environment_.height / 2; }
   glm::dvec3 at(std::uint32_t x, std::uint32_t y) const {
     return environment_.scale * glm::dvec3(environment_.radiance[std::size_t{y} * width() + x]);
   }
-  /// Sine of the elevation of the upper edge of a row.
-  double sine(std::uint32_t y) const { return std::cos(kPi / 2 * y / rows_); }
   /// Solid angle of a pixel [sr].
-  double solidAngle(std::uint32_t y) const { return 2 * kPi / width() * (sine(y) - sine(y + 1)); }
+  double solidAngle(std::uint32_t y) const { return 2 * kPi / width() * (sines_[y] - sines_[y + 1]); }
   /// Toward the middle of a pixel; y is the exact mean over it of the sine, so that sums are irradiances.
   glm::dvec3 direction(std::uint32_t x, std::uint32_t y) const {
-    const double up = 0.5 * (sine(y) + sine(y + 1)), azimuth = 2 * kPi * (x + 0.5) / width();
-    const double side = std::sqrt(1 - up * up);
-    return {side * std::cos(azimuth), up, side * std::sin(azimuth)};
+    const double up = 0.5 * (sines_[y] + sines_[y + 1]), side = std::sqrt(1 - up * up);
+    return {side * azimuths_[x].x, up, side * azimuths_[x].y};
   }
 
  private:
   const SkyEnvironment& environment_;
-  std::uint32_t rows_;
+  std::vector<double> sines_;         ///< Of the elevation of each row's upper edge, and of the horizon.
+  std::vector<glm::dvec2> azimuths_;  ///< Cosine and sine of each column's.
 };
 
 /// Where a sun is, if there is one.
