@@ -35,6 +35,7 @@ Result<Ocean> Ocean::create(Device& device, const OceanInfo& info) {
   PELAGIC_TRY(sky, Sky::create(device, info.sky, info.environment));
   PELAGIC_TRY(surface, Surface::create(device, info.surface));
   PELAGIC_TRY(composite, Composite::create(device));
+  PELAGIC_CHECK(composite.setLights(info.lights));
   return Ocean(std::make_unique<Impl>(
       Impl{std::move(waves), std::move(sky), std::move(surface), std::move(composite), info.medium}));
 }
@@ -53,6 +54,8 @@ Result<void> Ocean::setMedium(const WaterMedium& medium) {
   impl_->medium = medium;
   return {};
 }
+
+Result<void> Ocean::setLights(std::span<const HostLight> lights) { return impl_->composite.setLights(lights); }
 
 Result<OceanView> Ocean::createView(const CompositeTargets& targets) {
   PELAGIC_TRY(surface, SurfaceView::create(impl_->surface, impl_->waves.maps(), targets.output.extent));

@@ -70,6 +70,40 @@ Fields environmentFields(pelagic::SkyEnvironment& environment) {
   };
 }
 
+pelagic::HostLight parseLight(const std::string& where, const std::string& text) {
+  constexpr double kLuxOfSun = 1.28e5;  // of the unit irradiance, over the air
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 7) refuse(where, text, "X,Y,Z,RADIUS,R,G,B in m and cd, or none");
+  const auto part = [&](std::size_t i, std::string_view name, const Range& range) {
+    return parsePart(where, text, parts[i], name, range);
+  };
+  pelagic::HostLight light;
+  light.position = {part(0, "x", {-1e9, 1e9, "m"}), part(1, "y", {0, 1e5, "m"}), part(2, "z", {-1e9, 1e9, "m"})};
+  light.radius = part(3, "a radius of", {1e-3, 1e4, "m"});
+  for (int c = 0; c < 3; ++c) {
+    const double candela = part(static_cast<std::size_t>(4 + c), "an intensity of", {0, 1e12, "cd"});
+    light.intensity[c] = static_cast<float>(candela / kLuxOfSun);
+  }
+  return light;
+}
+
+Field lightField(std::vector<pelagic::HostLight>& lights) {
+  return {"light", "X,Y,Z,RADIUS,R,G,B|none",
+          fmt::format("A ball of light over the sea: place and radius in m, intensity in cd; up to {}",
+                      pelagic::kMostHostLights),
+          [&lights](const std::string& where, const std::vector<std::string>& texts) {
+            const bool none = texts.size() == 1 && texts.front() == "none";
+            if (texts.size() > pelagic::kMostHostLights) {
+              refuse(where, texts.back(), fmt::format("at most {} lights", pelagic::kMostHostLights));
+            }
+            lights.clear();
+            for (const std::string& text : texts) {
+              if (!none) lights.push_back(parseLight(where, text));
+            }
+          },
+          true};
+}
+
 /// Before the fields of sun and moon, which override what they say.
 Fields dateFields(Scene& scene) {
   return {
@@ -126,6 +160,7 @@ Fields lightFields(Scene& scene) {
       wholeField("cloud-seed", "N", "Seed of the clouds' shape", 0, std::numeric_limits<std::uint32_t>::max(),
                  [&scene](std::uint64_t seed) { scene.sky.clouds.seed = static_cast<std::uint32_t>(seed); }),
       numberField("haze", "X", "Aerosol, 1 is clean air over the sea", {0, 20, ""}, scene.sky.haze),
+      lightField(scene.lights),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
@@ -193,6 +228,7 @@ pelagic::OceanInfo oceanInfo(const Scene& scene) {
   info.sky = skyState(scene);
   info.environment = scene.environment;
   info.medium = scene.medium;
+  info.lights = scene.lights;
   return info;
 }
 

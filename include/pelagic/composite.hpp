@@ -4,6 +4,7 @@
 #include <optional>
 #include <pelagic/sky.hpp>
 #include <pelagic/surface.hpp>
+#include <span>
 
 namespace pelagic {
 
@@ -14,6 +15,22 @@ struct WaterMedium {
   glm::vec3 backscatter{0.0017f, 0.0022f, 0.0030f};  ///< b_b [1/m], 0 … 100.
 };
 Result<void> validate(const WaterMedium& medium);
+
+/// A light of the host: a ball that shines evenly, small like a lamp or as large as a lit sail. It glitters on the sea,
+/// lights the water from within and the foam. The ball itself, and what else it shines on, are the host's to draw.
+/// Nothing stands in its way: neither waves nor the host's own objects cast shadows, and the air between it and the sea
+/// takes nothing.
+struct HostLight {
+  glm::dvec3 position{0, 10, 0};  ///< Of its centre in the world [m]; |x|, |z| <= 1e9, y 0 … 1e5.
+  double radius = 0.1;  ///< [m], 1e-3 … 1e4; seen from the water under more than 0.1 rad, its glint is too wide.
+  /// Radiant intensity: its irradiance at the distance r, on a plane facing it, is intensity/r^2 [units of
+  /// pelagic/sky.hpp times m^2], 0 … 1e12 each. Where 1.28e5 lx are the sun's irradiance above the air, 1000 cd are
+  /// 0.0078. Like all light it is multiplied by twilightGain().
+  glm::vec3 intensity{0.01f};
+};
+/// As many as there may be.
+inline constexpr std::size_t kMostHostLights = shader::kMostHostLights;
+Result<void> validate(std::span<const HostLight> lights);
 
 /// What the host's picture needs from the sea, bound once per view. All images have the view's extent.
 struct CompositeTargets {
@@ -36,6 +53,10 @@ class Composite {
   Composite(Composite&&) noexcept;
   Composite& operator=(Composite&&) noexcept;
   ~Composite();
+
+  /// On all views, from their next record() on. The first lights compile pipelines; without lights there is no cost.
+  /// On error nothing changes.
+  Result<void> setLights(std::span<const HostLight> lights);
 
  private:
   friend class CompositeView;

@@ -11,6 +11,7 @@ struct OceanInfo {
   SkyEnvironment environment;  ///< In place of the sky, where it has a width.
   SurfaceInfo surface;
   WaterMedium medium;
+  std::vector<HostLight> lights;
 };
 
 class OceanView;
@@ -29,6 +30,7 @@ class Ocean {
   Result<void> setSky(const SkyState& sky);
   Result<void> setEnvironment(const SkyEnvironment& environment);
   Result<void> setMedium(const WaterMedium& medium);
+  Result<void> setLights(std::span<const HostLight> lights);
 
   /// Binds the host's images of one view. The view must not outlive the ocean.
   Result<OceanView> createView(const CompositeTargets& targets);

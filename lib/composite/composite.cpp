@@ -46,15 +46,17 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// The shaders' specialisation constants 0 … 6: which of a view's optional images there are, whether tiles foam, and
-/// whether there are a map of gains and clouds.
-using Variant = std::array<std::uint32_t, 7>;
+/// The shaders' specialisation constants 0 … 7: which of a view's optional images there are, whether tiles foam, and
+/// whether there are a map of gains, clouds and lights of the host.
+using Variant = std::array<std::uint32_t, 8>;
 
 struct Passes {
   gpu::ComputePass classify;
   gpu::ComputePass sky;
   gpu::ComputePass water;
   gpu::ComputePass foam;
+  /// The last two with lights of the host, once there have been any.
+  std::optional<gpu::ComputePass> litWater, litFoam;
 };
 
 }  // namespace
@@ -69,15 +71,17 @@ struct Composite::Impl {
   gpu::Buffer fresnel;
   gpu::ComputePass resolve;
   std::map<Variant, std::unique_ptr<Passes>> variants;
+  std::vector<HostLight> lights;
 
   /// The passes of a variant, compiled when its first view is created.
   Result<const Passes*> passes(const Variant& variant);
+  Result<void> light(Variant variant, Passes& entry);
 };
 
 struct CompositeView::Impl {
   gpu::Context* context = nullptr;
   const Passes* passes = nullptr;
-  const gpu::ComputePass* resolve = nullptr;
+  const Composite::Impl* composite = nullptr;
   CompositeTargets targets;
   gpu::Buffer frame;
   gpu::Buffer tiles;
@@ -132,7 +136,7 @@ Result<Composite> Composite::create(Device& device) {
                   *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
   impl->resolve = std::move(resolve);
   // The view that nearly every host has.
-  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1}));
+  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1, 0}));
   return Composite(std::move(impl));
 }
 
@@ -148,9 +152,37 @@ Result<const Passes*> Composite::Impl::passes(const Variant& variant) {
     PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp, variant));
     PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp, variant));
     PELAGIC_TRY(foam, create("composite foam", shaders::composite_water_comp, foaming));
-    entry = std::make_unique<Passes>(Passes{std::move(classify), std::move(sky), std::move(water), std::move(foam)});
+    entry = std::make_unique<Passes>(
+        Passes{std::move(classify), std::move(sky), std::move(water), std::move(foam), {}, {}});
   }
+  if (!lights.empty()) PELAGIC_CHECK(light(variant, *entry));
   return entry.get();
+}
+
+/// Adds the passes with lights.
+Result<void> Composite::Impl::light(Variant variant, Passes& entry) {
+  if (entry.litFoam) return {};
+  variant[7] = 1;
+  const auto create = [&](std::string_view name) {
+    return gpu::ComputePass::create(*context, {name, shaders::composite_water_comp, kBindings, 0, variant});
+  };
+  PELAGIC_TRY(water, create("composite lit water"));
+  variant[4] = 1;
+  PELAGIC_TRY(foam, create("composite lit foam"));
+  entry.litWater = std::move(water);
+  entry.litFoam = std::move(foam);
+  return {};
+}
+
+Result<void> Composite::setLights(std::span<const HostLight> lights) {
+  PELAGIC_CHECK(validate(lights));
+  if (!lights.empty()) {
+    for (auto& [variant, passes] : impl_->variants) {
+      if (passes) PELAGIC_CHECK(impl_->light(variant, *passes));  // null where compilation has failed
+    }
+  }
+  impl_->lights.assign(lights.begin(), lights.end());
+  return {};
 }
 
 void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps& waves, const SkyMaps& sky,
@@ -220,10 +252,11 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
                         targets.mergedDepth.has_value(),
                         0,
                         waves.gain.view != VK_NULL_HANDLE,
-                        sky.clouds.view != VK_NULL_HANDLE && sky.cloudShadow.view != VK_NULL_HANDLE};
+                        sky.clouds.view != VK_NULL_HANDLE && sky.cloudShadow.view != VK_NULL_HANDLE,
+                        0};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
-  impl->resolve = &shared.resolve;
+  impl->composite = &shared;
 
   using Usage = vk::BufferUsageFlagBits;
   PELAGIC_TRY(frame, gpu::Buffer::create(*impl->context, Stage::composite, "composite frame",
@@ -295,7 +328,7 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     if (timings) timings->end(commandBuffer);
   };
   measured("composite classify", [&] {
-    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent));
+    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent, view.composite->lights));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
     // A tile an invocation, 8 x 8 of them a group.
@@ -309,8 +342,9 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
   };
   measured("composite sky", [&] { shade(view.passes->sky, shader::kSkyTiles); });
   measured("composite water", [&] {
-    shade(view.passes->water, shader::kWaterTiles);
-    shade(view.passes->foam, shader::kFoamTiles);
+    const bool lit = !view.composite->lights.empty();
+    shade(lit ? *view.passes->litWater : view.passes->water, shader::kWaterTiles);
+    shade(lit ? *view.passes->litFoam : view.passes->foam, shader::kFoamTiles);
   });
   measured("composite resolve", [&] {
     gpu::Barrier barrier;
@@ -318,8 +352,8 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     barrier.image(view.targets.output.image, vk::ImageAspectFlagBits::eColor, gpu::kComputeStorageWrite,
                   gpu::kComputeStorageWrite);
     barrier.record(*view.context, commands);
-    view.resolve->bind(commands, view.resolveSet);
-    view.resolve->dispatchIndirect(commands, view.edges.handle(), 0);
+    view.composite->resolve.bind(commands, view.resolveSet);
+    view.composite->resolve.dispatchIndirect(commands, view.edges.handle(), 0);
   });
   view.recordTargets(commands, false);
 }

@@ -24,7 +24,7 @@ void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& fr
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent) noexcept {
+                                      VkExtent2D extent, std::span<const HostLight> lights) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
   frame.waves = waveSampling(waves, eye);
@@ -44,6 +44,11 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
+  for (const HostLight& light : lights) {
+    frame.hostLightPlace[frame.hostLights] = glm::vec4(glm::dvec4(light.position - camera.position, light.radius));
+    frame.hostLightIntensity[frame.hostLights] = glm::vec4(light.intensity, 0);
+    ++frame.hostLights;
+  }
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

@@ -57,12 +57,26 @@ vec3 crestLight(SeaPoint sea, vec3 v, vec3 l, vec3 behind) {
   return behind * (0.35 * sharp * against) * mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
 }
 
+// What the sea mirrors of a disc of the angular radius `radius` [rad] around l that shines with `irradiance` on a plane facing
+// it; no mirror is brighter than the disc itself. `large`: it may be more than a point beside the sea's slopes.
+vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, vec3 l, vec3 irradiance, float radius, vec3 brightest, bool large) {
+  vec2 mirror = mirrorSlope(v, l);
+  vec3 h = normalize(v + l);
+  float cosIncidence = max(dot(v, h), 0.0);
+  vec3 disc = discCovariance(mirror, l, cosIncidence, radius);
+  Visibility lit = visibility(l, sea.slope, sea.residual);
+  float glint = sunReflection(seen, lit, mirror, sea.slope, sea.residual + disc);
+  if (large) glint = min(glint, discReflectionBound(seen, lit, mirror, sea.slope, sea.residual, disc));
+  return min(irradiance * (glint * fresnelReflectance(cosIncidence, kWaterIndex)), brightest);
+}
+
 // Radiance of the sea without foam toward v; v and l in the level frame of the point. `sunlight`: irradiance of the sun on a
-// plane facing it. `horizon`: the sky's radiance at the horizon beyond the point.
-vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 horizon) {
+// plane facing it, `entering`: irradiance that enters the water besides its and the sky's, `horizon`: the sky's radiance at the
+// horizon beyond the point.
+vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec3 horizon) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
-  vec3 under = frame.waterAlbedo.rgb * enteringIrradiance(sunlight, light.sunDirection.y,
-                                                          light.skyIrradiance.rgb);
+  entering += enteringIrradiance(sunlight, light.sunDirection.y, light.skyIrradiance.rgb);
+  vec3 under = frame.waterAlbedo.rgb * entering;
 
   float perHorizontal = inversesqrt(max(dot(v.xz, v.xz), 1e-6));
   float deviation = seen.deviation * perHorizontal * sea.normal.y;
@@ -79,15 +93,7 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 horizon) {
   float above = 1.0 / (1.0 + exp(-1.702 * clamp(centre.elevation / spread, -20.0, 20.0)));
   vec3 reflected = mix(mix(under, sky, 0.45), sky, above);
 
-  vec2 mirror = mirrorSlope(v, l);
-  vec3 h = normalize(v + l);
-  float cosIncidence = max(dot(v, h), 0.0);
-  vec3 wide = sea.residual + discCovariance(mirror, l, cosIncidence, kSunAngularRadius);
-  Visibility lit = visibility(l, sea.slope, sea.residual);
-  float glint = sunReflection(seen, lit, mirror, sea.slope, wide) * fresnelReflectance(cosIncidence, kWaterIndex);
-  // No mirror is brighter than the sun.
-  vec3 sun = min(sunlight * glint, light.sunRadiance.rgb);
-
+  vec3 sun = mirroredLight(sea, seen, v, l, sunlight, kSunAngularRadius, light.sunRadiance.rgb, false);
   return fresnel * reflected + sun + (1.0 - fresnel) * (under + crestLight(sea, v, l, horizon));
 }
 

@@ -30,6 +30,7 @@ vec3 levelled(vec3 d, vec2 p) {
   vec2 tilt = p / kEarthRadius;
   return vec3(d.xz - tilt * d.y, d.y + dot(d.xz, tilt)).xzy;
 }
+#include "composite/host_lights.glsl"
 
 // Distance on the undisplaced sea from p to what a neighbouring pixel shows of it [m]; negative where it shows none.
 float distanceToNeighbour(ivec2 pixel, vec2 p) {
@@ -60,11 +61,13 @@ void main() {
   float side = footprintSide(across, across / max(along, across));
   SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
   vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
-  vec3 radiance = seaRadiance(sea, v, l, sun, horizonRadiance(place));
+  HostLit lit = kNoHostLight;
+  if (kHostLights) lit = hostLit(sea, v, ray * axial, p);
+  vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   vec4 normal = vec4(sea.normal, 0);
   if (kFoaming) {
     Foam foam = foamAt(sea.foam, p, side);
-    vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb;
+    vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
     radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
     normal.w = foam.cover;
   }

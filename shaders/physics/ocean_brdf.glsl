@@ -161,5 +161,14 @@ PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope,
   return slopeDensity(slope - mean, c) * inverseY2 * inverseY2 / (4.0f * max(denominator, 1e-6f));
 }
 
+// The most that a disc light may mirror, as sunReflection(): as if all of it stood where its edge comes nearest to the mean
+// slope, two standard deviations of the covariance `disc` from the centre's slope. The Gaussian that stands for a disc has
+// tails, which grazing views of large discs would see as light.
+PELAGIC_FORMULA float discReflectionBound(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c, vec3 disc) {
+  vec2 away = slope - mean;
+  float nearer = max(1.0f - 2.0f * sqrt(covarianceAlong(disc, away)) / max(dot(away, away), 1e-12f), 0.0f);
+  return sunReflection(seen, lit, mean + nearer * away, mean, c);
+}
+
 PELAGIC_PHYSICS_END
 #endif

@@ -1,6 +1,7 @@
 // What the composite passes share: one frame of one view, and the tile lists.
 #ifndef PELAGIC_SHARED_COMPOSITE_H
 #define PELAGIC_SHARED_COMPOSITE_H
+#include "pelagic/shader/constants.h"
 #include "pelagic/shader/wave_sampling.h"
 
 PELAGIC_SHADER_BEGIN
@@ -42,8 +43,13 @@ struct CompositeFrame {
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   uint width;        // of the view [px]
   uint height;
-  uint tiles;    // capacity of each list
-  float nearer;  // 1: greater depth is nearer, -1: less is
+  uint tiles;                                // capacity of each list
+  float nearer;                              // 1: greater depth is nearer, -1: less is
+  vec4 hostLightPlace[kMostHostLights];      // from the eye [m]; w: radius [m]
+  vec4 hostLightIntensity[kMostHostLights];  // rgb [m^2]
+  uint hostLights;                           // that there are
+  uint padding1;
+  vec2 padding2;
 };
 
 PELAGIC_SHADER_END

@@ -34,6 +34,10 @@ const std::vector<cli::Bad>& badPicture() {
       {"--environment-turn", {"361", "inf", "''"}, "-360 to 360 degrees"},
       {"--overcast", {"-0.1", "1.1", "nan", "''"}, "0 to 1"},
       {"--haze", {"-1", "21", "inf", "''"}, "0 to 20"},
+      {"--light", {"1,2,3,4,5,6", "1,2,3,4,5,6,7,8", "''"}, "X,Y,Z,RADIUS,R,G,B"},
+      {"--light", {"1,-1,3,1,1,1,1", "1,nan,3,1,1,1,1"}, "y 0 to 100000 m"},
+      {"--light", {"1,1,3,0,1,1,1"}, "a radius of 0.001 to 10000 m"},
+      {"--light", {"1,1,3,1,1,-1,1", "1,1,3,1,1,1,inf"}, "an intensity of 0 to 1000000000000 cd"},
       {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
       {"--backscatter", {"-1,0,0", "nan,0,0", "''"}, "0 to 100 1/m"},
       {"--aov", {"colour", "depth,", "depth,depth", "''"}, ""},
@@ -75,6 +79,9 @@ TEST_F(RenderOptionsTest, EnvironmentsThatAreNoSky) {
 
 TEST_F(RenderOptionsTest, ContradictionsAreRefused) {
   refused("render", "--time 3 --frames 2 --fps 10 --output a%04d.png", {"--time", "'3'", "--frames"});
+  std::string lights;
+  for (int i = 0; i < 17; ++i) lights += " --light 1,1,1,1,1,1,1";
+  refused("render", lights, {"--light", "at most 16 lights"});
   refused("render", "--first 3", {"--first", "'3'", "--frames"});
   refused("render", "--frames 2 --fps 10 --output a.png", {"--output", "'a.png'", "%04d"});
   refused("render", "--output a.png --stats a.png", {"--stats", "'a.png'", "--output"});

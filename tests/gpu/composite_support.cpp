@@ -204,6 +204,8 @@ void SyntheticScene::render(pelagic::Device& device) {
   ASSERT_TRUE(composite) << composite.error().message;
   auto view = pelagic::CompositeView::create(*composite, waves, skyMaps_, water_, targets);
   ASSERT_TRUE(view) << view.error().message;
+  const auto lit = composite->setLights(lights);
+  ASSERT_TRUE(lit) << lit.error().message;
   gpu_->run([&](vk::CommandBuffer commands) { view->record(commands, waves, camera, medium); });
   const auto read = [&](const common::OwnedImage& image) {
     return common::readFloats(*gpu_, *image.image, image.format, extent, common::kTransferSource);

@@ -29,6 +29,7 @@ class SyntheticScene {
   pelagic::WaveMaps waves;
   pelagic::Camera camera;
   pelagic::WaterMedium medium;
+  std::vector<pelagic::HostLight> lights;
   bool withHost = false;
   bool withOutputs = true;
 

@@ -98,6 +98,30 @@ TEST_F(OceanTest, EveryPixelIsFiniteAndTheSeaIsDarkerThanTheSky) {
   EXPECT_GT(sea.y, 0.01 * sky.y);
 }
 
+TEST_F(OceanTest, LightsComeAndGo) {
+  OceanInfo info = smallOcean();
+  info.sky.sunElevation = -0.2;
+  const auto image = target();
+  Ocean ocean = create(info);
+  OceanView view = createView(ocean, targetsFor(image));
+  const Camera camera = cameraAt(4);
+  record(ocean, view, 3, camera);
+  const auto dark = read(image);
+  HostLight lamp;
+  lamp.position = {30, 5, 0};
+  ASSERT_TRUE(ocean.setLights({{lamp}}));
+  record(ocean, view, 3, camera);
+  const auto bright = read(image);
+  // It shines toward the eye from ahead, and on no part of the sky.
+  EXPECT_GT(meanOfRows(bright, 60, 90).y, 1.2 * meanOfRows(dark, 60, 90).y);
+  EXPECT_EQ(meanOfRows(bright, 0, 20), meanOfRows(dark, 0, 20));
+  info.lights = {lamp};
+  EXPECT_EQ(frame(info, 3, camera), bright);
+  ASSERT_TRUE(ocean.setLights({}));
+  record(ocean, view, 3, camera);
+  EXPECT_EQ(read(image), dark);
+}
+
 TEST_F(OceanTest, AnyTimeInAnyOrderGivesTheSameBits) {
   const auto image = target();
   Ocean ocean = create(smallOcean());
