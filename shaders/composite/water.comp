@@ -38,7 +38,7 @@ float distanceToNeighbour(ivec2 pixel, vec2 p) {
 }
 
 void main() {
-  Tile tile = readTile(kFoaming ? kFoamTiles : kWaterTiles);
+  Tile tile = readTile(kVeiled ? kVeiledTiles : kFoaming ? kFoamTiles : kWaterTiles);
   if (!tile.valid) return;
   Pixel pixel = readPixel(tile.pixel);
   if (!pixel.water) return;  // sky.comp's
@@ -69,8 +69,7 @@ void main() {
     normal.w = foam.cover;
   }
   radiance = mix(skyRadiance(place), radiance, airTransmittance(axial * rayLength));
-  // Clouds hide the sea from an eye above them.
-  if (kHasClouds && frame.absorption.w > light.cloudPlace.w) {
+  if (kVeiled) {
     vec4 clouds = cloudsBefore(tile.pixel);
     radiance = radiance * clouds.a + clouds.rgb;
   }

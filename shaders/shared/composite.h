@@ -9,13 +9,15 @@ PELAGIC_SHADER_BEGIN
 PELAGIC_SHADER_CONSTANT uint kTileSize = 8u;
 // Tiles of a list dispatched along x before the next row of groups starts; below every device's limit.
 PELAGIC_SHADER_CONSTANT uint kTilesPerRow = 32768u;
-// Tile lists. A tile may be on the first and on one of the others: each pass draws its own pixels.
-PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // sky or the host's picture in at least one pixel
-PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
-PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
-PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;
+// Tile lists. A tile may be on one of the first two and on one of the others: each pass draws its own pixels.
+PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;     // sky or the host's picture in at least one pixel
+PELAGIC_SHADER_CONSTANT uint kNightTiles = 1u;   // the same with moon or stars in the sky
+PELAGIC_SHADER_CONSTANT uint kWaterTiles = 2u;   // water in at least one pixel, no foam
+PELAGIC_SHADER_CONSTANT uint kFoamTiles = 3u;    // water and foam
+PELAGIC_SHADER_CONSTANT uint kVeiledTiles = 4u;  // water with or without foam, clouds before it
+PELAGIC_SHADER_CONSTANT uint kTileLists = 5u;
 // 32-bit words before the first list, whose entries have two.
-PELAGIC_SHADER_CONSTANT uint kTileListStart = 16u;
+PELAGIC_SHADER_CONSTANT uint kTileListStart = 20u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
