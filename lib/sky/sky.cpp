@@ -37,7 +37,7 @@ shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t air
   pass.haze = static_cast<float>(state.haze);
   pass.gain = static_cast<float>(twilightGain(state.sunElevation));
   pass.altitude = static_cast<float>(altitude);
-  pass.edge = shader::horizonElevation(pass.altitude);
+  pass.edge = shader::horizonElevation(pass.altitude, shader::kEarthRadius);
   pass.airRows = airRows;
   pass.moonAzimuth = static_cast<float>(std::remainder(state.moonAzimuth, 2 * std::numbers::pi));
   pass.moonDirection = glm::vec4(toward(state.moonElevation, state.moonAzimuth), static_cast<float>(moonlight(state)));

@@ -144,7 +144,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
   const glm::dvec2 drift = layer.velocity * std::fmod(sky->time, kTile * 1e6);
   const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - drift) / kTile;
   view.place = glm::vec2(place - glm::floor(place));
-  view.edge = shader::horizonElevation(static_cast<float>(altitude));
+  view.edge = shader::horizonElevation(static_cast<float>(altitude), shader::kEarthRadius);
   view.cover = static_cast<float>(layer.cover);
   view.width = clouds.info().extent.width;
   view.height = clouds.info().extent.height;

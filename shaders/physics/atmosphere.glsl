@@ -149,9 +149,9 @@ PELAGIC_AIR_FORMULA vec2 scatteringPoint(vec2 place) {
   return vec2(kAirTop * place.y * place.y, s * abs(s));
 }
 
-// Elevation of the globe's edge seen from altitude h [rad], <= 0.
-PELAGIC_AIR_FORMULA float horizonElevation(float h) {
-  return -atan(sqrt(h * (2.0f * kEarthRadius + h)) / kEarthRadius);
+// Elevation of the edge of a globe of the given radius seen from altitude h [rad], <= 0.
+PELAGIC_AIR_FORMULA float horizonElevation(float h, float radius) {
+  return -atan(sqrt(h * (2.0f * radius + h)) / radius);
 }
 
 // Rows of the sky maps: elevation -> v and back, v = 0.5 at the eye's horizon `edge`, denser there.
