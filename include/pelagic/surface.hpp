@@ -11,7 +11,7 @@ struct SurfaceInfo {
   float targetEdge = 12;
   /// Whether views leave WaterBuffer::motion, for temporal filters of the host.
   bool motionVectors = false;
-  /// Radius of the planet at sea level [m], 1e5 … 1e8.
+  /// Radius of the planet at sea level [m], 1e5 … 1e8; Ocean gives it to the sky as well.
   double planetRadius = kEarthRadius;
 };
 
