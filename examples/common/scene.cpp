@@ -110,6 +110,8 @@ Fields lightFields(Scene& scene) {
       wholeField("cloud-seed", "N", "Seed of the clouds' shape", 0, std::numeric_limits<std::uint32_t>::max(),
                  [&scene](std::uint64_t seed) { scene.sky.clouds.seed = static_cast<std::uint32_t>(seed); }),
       numberField("haze", "X", "Aerosol, 1 is clean air over the sea", {0, 20, ""}, scene.sky.haze),
+      numberField("planet-radius", "KM", "Radius of the planet at sea level", {100, 1e5, "km"}, scene.planetRadius,
+                  1000),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
@@ -176,6 +178,7 @@ pelagic::OceanInfo oceanInfo(const Scene& scene) {
   info.waves = wavesInfo(scene.sea, pelagic::MapPrecision::half);
   info.sky = skyState(scene);
   info.medium = scene.medium;
+  info.surface.planetRadius = scene.planetRadius;
   return info;
 }
 

@@ -20,6 +20,7 @@ struct Scene {
   std::optional<pelagic::Place> place;     ///< Where the scene lies; then +x is east and +z south.
   std::optional<pelagic::CivilTime> date;  ///< When.
   pelagic::WaterMedium medium;
+  double planetRadius = pelagic::kEarthRadius;  ///< [m]
   View view;
   double exposure = 0;   ///< [EV]
   bool metered = false;  ///< The picture exposes itself, `exposure` is added.

@@ -79,6 +79,7 @@ struct CompositeView::Impl {
   const Passes* passes = nullptr;
   const gpu::ComputePass* resolve = nullptr;
   CompositeTargets targets;
+  double planetRadius = kEarthRadius;
   gpu::Buffer frame;
   gpu::Buffer tiles;
   gpu::Image shaded;  ///< The output where the surface breaks off: shaders/composite/edges.glsl.
@@ -224,6 +225,7 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
   impl->targets = targets;
+  impl->planetRadius = water.planetRadius;
   const Variant variant{targets.color.has_value(),
                         targets.normal.has_value(),
                         targets.slopeVariance.has_value(),
@@ -309,7 +311,7 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     if (timings) timings->end(commandBuffer);
   };
   measured("composite classify", [&] {
-    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent));
+    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent, view.planetRadius));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
     // A tile an invocation, 8 x 8 of them a group.

@@ -24,7 +24,7 @@ void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& fr
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent) noexcept {
+                                      VkExtent2D extent, double planetRadius) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
   frame.waves = waveSampling(waves, eye);
@@ -35,8 +35,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
   frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), static_cast<float>(streaks));
-  const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
-  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), shader::horizonElevation(height));
+  const float height = std::max(static_cast<float>(camera.position.y), 0.0f), radius = static_cast<float>(planetRadius);
+  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), shader::horizonElevation(height, radius));
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
   const glm::dvec2 wind(std::cos(waves.windDirection), std::sin(waves.windDirection));
@@ -44,6 +44,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
+  frame.planet.x = radius;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

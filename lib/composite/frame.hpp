@@ -9,6 +9,6 @@
 namespace pelagic {
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent) noexcept;
+                                      VkExtent2D extent, double planetRadius) noexcept;
 
 }  // namespace pelagic

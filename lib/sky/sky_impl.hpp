@@ -26,7 +26,7 @@ void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step
                    const shader::SkyPass& push, std::uint32_t rows) noexcept;
 
 /// `airRows`: 0, or shader::kAirRows for the maps of an eye at `altitude` [m].
-shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept;
+shader::SkyPass passOf(const SkyState& state, double planetRadius, double altitude, std::uint32_t airRows) noexcept;
 /// A buffer for a SkyLight block.
 Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name);
 
@@ -35,8 +35,9 @@ Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name);
 struct Sky::Impl {
   gpu::Context* context = nullptr;
   SkyState state;
-  double time = 0;         ///< Of the last record [s].
-  bool airChanged = true;  ///< What depends on the haze alone must be computed again.
+  double planetRadius = kEarthRadius;  ///< At sea level [m].
+  double time = 0;                     ///< Of the last record [s].
+  bool airChanged = true;              ///< What depends on the haze alone must be computed again.
   bool changed = true;
   bool cloudsChanged = true;  ///< Their shape.
   std::uint64_t version = 0;  ///< Counts the states that were recorded.

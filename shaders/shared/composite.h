@@ -42,6 +42,7 @@ struct CompositeFrame {
   vec4 thickCrest;   // of the thickest crest that light comes through; w: elevation of the eye's horizon [rad]
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
+  vec4 planet;       // x: its radius [m]
   uint width;        // of the view [px]
   uint height;
   uint tiles;    // capacity of each list

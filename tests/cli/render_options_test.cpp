@@ -27,6 +27,7 @@ const std::vector<cli::Bad>& badPicture() {
       {"--place", {"50", "50,4,3", "''"}, "LAT,LON"},
       {"--overcast", {"-0.1", "1.1", "nan", "''"}, "0 to 1"},
       {"--haze", {"-1", "21", "inf", "''"}, "0 to 20"},
+      {"--planet-radius", {"99", "100001", "-6371", "nan", "''"}, "100 to 100000 km"},
       {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
       {"--backscatter", {"-1,0,0", "nan,0,0", "''"}, "0 to 100 1/m"},
       {"--aov", {"colour", "depth,", "depth,depth", "''"}, ""},

@@ -29,6 +29,7 @@ class SyntheticScene {
   pelagic::WaveMaps waves;
   pelagic::Camera camera;
   pelagic::WaterMedium medium;
+  double planetRadius = pelagic::kEarthRadius;
   bool withHost = false;
   bool withOutputs = true;
 
