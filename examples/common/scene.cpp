@@ -73,6 +73,19 @@ Fields dateFields(Scene& scene) {
   };
 }
 
+std::string lookNames() {
+  std::string list;
+  for (const auto& [name, look] : pelagic::waterLooks()) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+pelagic::WaterLook parseLook(const std::string& where, const std::string& text) {
+  for (const auto& [name, look] : pelagic::waterLooks()) {
+    if (name == text) return look;
+  }
+  refuse(where, text, lookNames());
+}
+
 Fields sceneFields(Scene& scene) {
   const Fields own{
       {"title", "TEXT", "What the scene shows",
@@ -114,6 +127,10 @@ Fields lightFields(Scene& scene) {
                   1000),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
+      {"look", "NAME", "How the colour of the water is found: " + lookNames(),
+       [&scene](const std::string& where, const std::vector<std::string>& texts) {
+         scene.medium.look = parseLook(where, texts.front());
+       }},
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
                   scene.exposure),
       {"metering", "off|on", "Whether the picture exposes itself to middle grey, and exposure is added: off, on",

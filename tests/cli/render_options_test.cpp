@@ -30,6 +30,7 @@ const std::vector<cli::Bad>& badPicture() {
       {"--planet-radius", {"99", "100001", "-6371", "nan", "''"}, "100 to 100000 km"},
       {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
       {"--backscatter", {"-1,0,0", "nan,0,0", "''"}, "0 to 100 1/m"},
+      {"--look", {"blue", "Natural", "''"}, "natural, turquoise, glassy, painted"},
       {"--aov", {"colour", "depth,", "depth,depth", "''"}, ""},
       {"--output",
        {"ocean", "ocean.jpg", ".png", "missing/ocean.png", "/proc/ocean.png", "ocean%.png", "ocean%5d.png",
