@@ -32,7 +32,7 @@ OceanView::~OceanView() = default;
 Result<Ocean> Ocean::create(Device& device, const OceanInfo& info) {
   PELAGIC_CHECK(validate(info.medium));
   PELAGIC_TRY(waves, Waves::create(device, info.waves));
-  PELAGIC_TRY(sky, Sky::create(device, info.sky, info.environment));
+  PELAGIC_TRY(sky, Sky::create(device, info.sky, info.surface.planetRadius, info.environment));
   PELAGIC_TRY(surface, Surface::create(device, info.surface));
   PELAGIC_TRY(composite, Composite::create(device));
   PELAGIC_CHECK(composite.setLights(info.lights));

@@ -222,6 +222,15 @@ void GpuDevice::run(const std::function<void(vk::CommandBuffer)>& record) const 
   }
 }
 
+OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
+  view = std::move(other.view);
+  image = std::move(other.image);
+  memory = std::move(other.memory);
+  format = other.format;
+  extent = other.extent;
+  return *this;
+}
+
 pelagic::HostImage OwnedImage::host(const pelagic::ImageState& before, const pelagic::ImageState& after) const {
   return {*image, *view, static_cast<VkFormat>(format), extent, before, after};
 }

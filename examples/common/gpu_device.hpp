@@ -69,6 +69,12 @@ struct OwnedImage {
   vk::Format format{};
   vk::Extent2D extent{};
 
+  OwnedImage() = default;
+  OwnedImage(OwnedImage&&) = default;
+  /// Memory goes last, as the image is bound to it.
+  OwnedImage& operator=(OwnedImage&& other) noexcept;
+  ~OwnedImage() = default;
+
   /// As Pelagic takes it.
   pelagic::HostImage host(const pelagic::ImageState& before, const pelagic::ImageState& after) const;
 };

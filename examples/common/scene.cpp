@@ -123,6 +123,19 @@ Fields dateFields(Scene& scene) {
   };
 }
 
+std::string lookNames() {
+  std::string list;
+  for (const auto& [name, look] : pelagic::waterLooks()) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+pelagic::WaterLook parseLook(const std::string& where, const std::string& text) {
+  for (const auto& [name, look] : pelagic::waterLooks()) {
+    if (name == text) return look;
+  }
+  refuse(where, text, lookNames());
+}
+
 Fields sceneFields(Scene& scene) {
   const Fields own{
       {"title", "TEXT", "What the scene shows",
@@ -160,9 +173,15 @@ Fields lightFields(Scene& scene) {
       wholeField("cloud-seed", "N", "Seed of the clouds' shape", 0, std::numeric_limits<std::uint32_t>::max(),
                  [&scene](std::uint64_t seed) { scene.sky.clouds.seed = static_cast<std::uint32_t>(seed); }),
       numberField("haze", "X", "Aerosol, 1 is clean air over the sea", {0, 20, ""}, scene.sky.haze),
+      numberField("planet-radius", "KM", "Radius of the planet at sea level", {100, 1e5, "km"}, scene.planetRadius,
+                  1000),
       lightField(scene.lights),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
+      {"look", "NAME", "How the colour of the water is found: " + lookNames(),
+       [&scene](const std::string& where, const std::vector<std::string>& texts) {
+         scene.medium.look = parseLook(where, texts.front());
+       }},
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
                   scene.exposure),
       {"metering", "off|on", "Whether the picture exposes itself to middle grey, and exposure is added: off, on",
@@ -229,6 +248,7 @@ pelagic::OceanInfo oceanInfo(const Scene& scene) {
   info.environment = scene.environment;
   info.medium = scene.medium;
   info.lights = scene.lights;
+  info.surface.planetRadius = scene.planetRadius;
   return info;
 }
 

@@ -22,6 +22,7 @@ struct Scene {
   std::optional<pelagic::CivilTime> date;  ///< When.
   pelagic::WaterMedium medium;
   std::vector<pelagic::HostLight> lights;
+  double planetRadius = pelagic::kEarthRadius;  ///< [m]
   View view;
   double exposure = 0;   ///< [EV]
   bool metered = false;  ///< The picture exposes itself, `exposure` is added.

@@ -149,6 +149,18 @@ void drawWater(pelagic::WaterMedium& medium, Changes& changes) {
     changes.water |= slide(absorption[i], medium.absorption[i], 1e-4, 100, "%.4f");
     changes.water |= slide(backscatter[i], medium.backscatter[i], 0, 100, "%.4f");
   }
+  for (const auto& [name, look] : pelagic::waterLooks()) {
+    if (ImGui::RadioButton(std::string(name).c_str(), medium.look.law == look.law)) {
+      medium.look = look;
+      changes.water = true;
+    }
+  }
+  changes.water |= ImGui::ColorEdit3("Deep", &medium.look.deep.x);
+  changes.water |= ImGui::ColorEdit3("Shallow", &medium.look.shallow.x);
+  changes.water |= slide("Shallowness", medium.look.shallowness, 0, 1, "%.2f");
+  changes.water |= slide("Least opacity", medium.look.leastOpacity, 0, 1, "%.2f");
+  changes.water |= slide("Opaque depth [m]", medium.look.opaqueDepth, 0.01, 1000, "%.2f");
+  changes.water |= slide("Contrast", medium.look.contrast, 1, 4, "%.2f");
 }
 
 void drawReport(const pelagic::SeaReport& report, const std::vector<PassTime>& passes) {

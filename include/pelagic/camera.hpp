@@ -12,8 +12,8 @@ namespace pelagic {
 /// Mean radius of the Earth [m].
 inline constexpr double kEarthRadius = shader::kEarthRadius;
 
-/// World space is right-handed, y up, metres. The still water is y = 0 below the camera and falls away with the Earth's
-/// curvature.
+/// World space is right-handed, y up, metres. The still water is y = 0 below the camera and falls away with the
+/// planet's curvature (SurfaceInfo::planetRadius).
 struct Camera {
   glm::dvec3 position{0, 3, 0};  ///< Eye in the world [m]; |x|, |z| <= 1e9, y -1e4 … 1e5.
   glm::mat3 rotation{1};         ///< World to view directions, orthonormal.

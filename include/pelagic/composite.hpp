@@ -5,14 +5,43 @@
 #include <pelagic/sky.hpp>
 #include <pelagic/surface.hpp>
 #include <span>
+#include <string_view>
 
 namespace pelagic {
+
+/// How the colour of the water is found: from the medium, or by one of three laws that artists use in its place.
+/// Their colours are what a white surface's would be, dimensionless, 0 … 1: radiance is colour/pi times the irradiance
+/// that enters the water, so that they are seen as given under the noon sun and fade to black as it sets.
+struct WaterLook {
+  enum class Law {
+    medium,       ///< As WaterMedium's coefficients say; the colours here are not used.
+    deepShallow,  ///< Between `deep` and `shallow` by `shallowness`, the same everywhere.
+    thickness,    ///< `deep`; thin crests against the light are as opaque as tintOpacity in physics/optics.glsl says.
+    viewAngle     ///< From `deep`, seen straight on, to `shallow`, seen along the wave's face; linear in the angle.
+  };
+  Law law = Law::medium;
+  glm::vec3 deep{0.005f, 0.030f, 0.080f};
+  glm::vec3 shallow{0.015f, 0.200f, 0.220f};
+  float shallowness = 0.35f;   ///< Of the law deepShallow [1], 0 … 1.
+  float leastOpacity = 0.15f;  ///< Of the thinnest water, law thickness [1], 0 … 1.
+  float opaqueDepth = 6.0f;    ///< Water as thick as this shows nothing behind it, law thickness [m], 0.01 … 1000.
+  /// Factor on the sky's reflected light, 1 … 4, under every law: 1 is Fresnel's; more lifts bright water over dark.
+  float contrast = 1.0f;
+};
+/// Looks by name: "natural", which is the default, "turquoise" (law deepShallow), "glassy" (thickness) and "painted"
+/// (viewAngle, with contrast).
+struct NamedWaterLook {
+  std::string_view name;
+  WaterLook look;
+};
+std::span<const NamedWaterLook> waterLooks() noexcept;
 
 /// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: the open ocean between
 /// Jerlov's types IB and II: pure sea water with a little yellow substance and particles.
 struct WaterMedium {
   glm::vec3 absorption{0.470f, 0.0680f, 0.0450f};    ///< a [1/m], 1e-4 … 100.
   glm::vec3 backscatter{0.0017f, 0.0022f, 0.0030f};  ///< b_b [1/m], 0 … 100.
+  WaterLook look;
 };
 Result<void> validate(const WaterMedium& medium);
 

@@ -84,11 +84,11 @@ double twilightGain(double sunElevation) noexcept;
 /// The maps of the sky. All 2-D, one layer, linear filtering, rest in kShaderRead.
 struct SkyMaps {
   /// rgba16f, lat-long: u = azimuth/(2 pi) in the world frame (atan(z,x), wraps). With the elevation e and that of the
-  /// eye's horizon e0 = -acos(R/(R + altitude)), v = 0.5 + 0.5 sqrt((e - e0)/(pi/2 - e0)) above it, which spends texels
-  /// on the horizon: radiance of the sky without the sun's disc. Sky::maps() has it for sea level, e0 = 0, and below
-  /// the horizon holds the radiance of the horizon. SkyView::maps() has it for an eye, and below, v = 0.5 - 0.5
-  /// sqrt((e0 - e)/(pi/2 + e0)), the air's own light: what stands there with the radiance L is seen as t L + (1 - t)
-  /// times the texel, t the transmittance of the air before it.
+  /// eye's horizon e0 = -acos(R/(R + altitude)), R the planet's radius, v = 0.5 + 0.5 sqrt((e - e0)/(pi/2 - e0)) above
+  /// it, which spends texels on the horizon: radiance of the sky without the sun's disc. Sky::maps() has it for sea
+  /// level, e0 = 0, and below the horizon holds the radiance of the horizon. SkyView::maps() has it for an eye, and
+  /// below, v = 0.5 - 0.5 sqrt((e0 - e)/(pi/2 + e0)), the air's own light: what stands there with the radiance L is
+  /// seen as t L + (1 - t) times the texel, t the transmittance of the air before it.
   MapView radiance;
   /// rgba16f, mips, stereographic: direction r maps to uv = 0.5 + 0.5 (r.x, r.z)/(1 + r.y) * kEnvironmentScale;
   /// RGB radiance x coverage, A coverage: 1 above the horizon, 0 below; blurred toward higher mips.
@@ -109,8 +109,11 @@ struct SkyMaps {
 /// Move-only; one thread at a time.
 class Sky {
  public:
+  /// `planetRadius` at sea level [m], 1e5 … 1e8: that of the water below, SurfaceInfo::planetRadius, so that horizon
+  /// and clouds end where the sea does. The air is the Earth's whatever it is: 100 km, as dense at each altitude.
   /// `environment`: a picture instead; what comes by setEnvironment() has its size.
-  static Result<Sky> create(Device& device, const SkyState& state, const SkyEnvironment& environment = {});
+  static Result<Sky> create(Device& device, const SkyState& state, double planetRadius = kEarthRadius,
+                            const SkyEnvironment& environment = {});
   Sky(Sky&&) noexcept;
   Sky& operator=(Sky&&) noexcept;
   ~Sky();

@@ -11,6 +11,8 @@ struct SurfaceInfo {
   float targetEdge = 12;
   /// Whether views leave WaterBuffer::motion, for temporal filters of the host.
   bool motionVectors = false;
+  /// Radius of the planet at sea level [m], 1e5 … 1e8; Ocean gives it to the sky as well.
+  double planetRadius = kEarthRadius;
 };
 
 /// What the surface leaves for shading: 2-D, one layer, one mip, of the view's extent; rests in kShaderRead.
@@ -24,6 +26,7 @@ struct WaterBuffer {
   MapView body;
   /// d32f: depth as the camera's projection writes it; cleared to the far value.
   MapView depth;
+  double planetRadius = kEarthRadius;  ///< As SurfaceInfo::planetRadius.
 };
 
 /// Pipelines shared by all views. Move-only; one thread at a time.

@@ -46,17 +46,19 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// The shaders' specialisation constants 0 … 7: which of a view's optional images there are, whether tiles foam, and
-/// whether there are a map of gains, clouds and lights of the host.
-using Variant = std::array<std::uint32_t, 8>;
+/// The shaders' specialisation constants 0 … 9: which of a view's optional images there are, whether tiles foam,
+/// whether there are a map of gains and clouds, whether a pipeline is for the night's tiles and for those behind
+/// clouds, and whether lights of the host shine.
+using Variant = std::array<std::uint32_t, 10>;
+constexpr std::size_t kFoaming = 4, kNight = 7, kVeiled = 8, kHostLights = 9;
+
+using TilePasses = std::array<gpu::ComputePass, shader::kTileLists>;  ///< Of each list of tiles.
 
 struct Passes {
   gpu::ComputePass classify;
-  gpu::ComputePass sky;
-  gpu::ComputePass water;
-  gpu::ComputePass foam;
-  /// The last two with lights of the host, once there have been any.
-  std::optional<gpu::ComputePass> litWater, litFoam;
+  TilePasses shade;
+  /// Those of water with lights of the host, once there have been any.
+  std::optional<TilePasses> lit;
 };
 
 }  // namespace
@@ -75,7 +77,10 @@ struct Composite::Impl {
 
   /// The passes of a variant, compiled when its first view is created.
   Result<const Passes*> passes(const Variant& variant);
-  Result<void> light(Variant variant, Passes& entry);
+  Result<void> light(const Variant& variant, Passes& entry);
+  /// A pass of a variant with some of its constants set.
+  Result<gpu::ComputePass> compile(std::string_view name, std::span<const std::uint32_t> code, Variant variant,
+                                   std::initializer_list<std::size_t> set);
 };
 
 struct CompositeView::Impl {
@@ -83,9 +88,10 @@ struct CompositeView::Impl {
   const Passes* passes = nullptr;
   const Composite::Impl* composite = nullptr;
   CompositeTargets targets;
+  double planetRadius = kEarthRadius;
   gpu::Buffer frame;
   gpu::Buffer tiles;
-  gpu::Image shaded;  ///< The output again, with its edges: shaders/composite/edges.glsl.
+  gpu::Image shaded;  ///< The output where the surface breaks off: shaders/composite/edges.glsl.
   gpu::Buffer edges;
   gpu::DescriptorSet set;
   gpu::DescriptorSet resolveSet;
@@ -136,41 +142,50 @@ Result<Composite> Composite::create(Device& device) {
                   *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
   impl->resolve = std::move(resolve);
   // The view that nearly every host has.
-  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1, 0}));
+  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1}));
   return Composite(std::move(impl));
+}
+
+Result<gpu::ComputePass> Composite::Impl::compile(std::string_view name, std::span<const std::uint32_t> code,
+                                                  Variant variant, std::initializer_list<std::size_t> set) {
+  for (const std::size_t i : set) variant[i] = 1;
+  return gpu::ComputePass::create(*context, {name, code, kBindings, 0, variant});
 }
 
 Result<const Passes*> Composite::Impl::passes(const Variant& variant) {
   auto& entry = variants[variant];
   if (!entry) {
-    Variant foaming = variant;
-    foaming[4] = 1;
-    const auto create = [&](std::string_view name, std::span<const std::uint32_t> code, const Variant& constants) {
-      return gpu::ComputePass::create(*context, {name, code, kBindings, 0, constants});
-    };
-    PELAGIC_TRY(classify, create("composite classify", shaders::composite_classify_comp, variant));
-    PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp, variant));
-    PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp, variant));
-    PELAGIC_TRY(foam, create("composite foam", shaders::composite_water_comp, foaming));
-    entry = std::make_unique<Passes>(
-        Passes{std::move(classify), std::move(sky), std::move(water), std::move(foam), {}, {}});
+    const auto create = [&](std::string_view name, std::span<const std::uint32_t> code,
+                            std::initializer_list<std::size_t> set) { return compile(name, code, variant, set); };
+    PELAGIC_TRY(classify, create("composite classify", shaders::composite_classify_comp, {}));
+    PELAGIC_TRY(sky, create("composite sky", shaders::composite_sky_comp, {}));
+    PELAGIC_TRY(night, create("composite night", shaders::composite_sky_comp, {kNight}));
+    PELAGIC_TRY(water, create("composite water", shaders::composite_water_comp, {}));
+    PELAGIC_TRY(foam, create("composite foam", shaders::composite_water_comp, {kFoaming}));
+    PELAGIC_TRY(veiled, create("composite veiled water", shaders::composite_water_comp, {kFoaming, kVeiled}));
+    Passes passes{std::move(classify), {}, {}};
+    passes.shade[shader::kSkyTiles] = std::move(sky);
+    passes.shade[shader::kNightTiles] = std::move(night);
+    passes.shade[shader::kWaterTiles] = std::move(water);
+    passes.shade[shader::kFoamTiles] = std::move(foam);
+    passes.shade[shader::kVeiledTiles] = std::move(veiled);
+    entry = std::make_unique<Passes>(std::move(passes));
   }
   if (!lights.empty()) PELAGIC_CHECK(light(variant, *entry));
   return entry.get();
 }
 
 /// Adds the passes with lights.
-Result<void> Composite::Impl::light(Variant variant, Passes& entry) {
-  if (entry.litFoam) return {};
-  variant[7] = 1;
-  const auto create = [&](std::string_view name) {
-    return gpu::ComputePass::create(*context, {name, shaders::composite_water_comp, kBindings, 0, variant});
-  };
-  PELAGIC_TRY(water, create("composite lit water"));
-  variant[4] = 1;
-  PELAGIC_TRY(foam, create("composite lit foam"));
-  entry.litWater = std::move(water);
-  entry.litFoam = std::move(foam);
+Result<void> Composite::Impl::light(const Variant& variant, Passes& entry) {
+  if (entry.lit) return {};
+  const auto& code = shaders::composite_water_comp;
+  PELAGIC_TRY(water, compile("composite lit water", code, variant, {kHostLights}));
+  PELAGIC_TRY(foam, compile("composite lit foam", code, variant, {kHostLights, kFoaming}));
+  PELAGIC_TRY(veiled, compile("composite lit veiled water", code, variant, {kHostLights, kFoaming, kVeiled}));
+  TilePasses& lit = entry.lit.emplace();
+  lit[shader::kWaterTiles] = std::move(water);
+  lit[shader::kFoamTiles] = std::move(foam);
+  lit[shader::kVeiledTiles] = std::move(veiled);
   return {};
 }
 
@@ -219,12 +234,13 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   resolveSet.storageImage(2, targets.output.view);
 }
 
-/// What the smoothing of edges reads: the picture once more, and the list of pixels.
+/// What the smoothing of edges reads: the pixels on both sides of them, and their list.
 Result<void> CompositeView::Impl::createEdges() {
   gpu::ImageInfo info;
   info.format = vk::Format::eR16G16B16A16Sfloat;
   info.extent = targets.output.extent;
-  info.usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled;
+  info.usage =
+      vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
   PELAGIC_TRY(image, gpu::Image::create(*context, Stage::composite, "composite shaded", info));
   shaded = std::move(image);
   using Usage = vk::BufferUsageFlagBits;
@@ -246,6 +262,7 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
   impl->targets = targets;
+  impl->planetRadius = water.planetRadius;
   const Variant variant{targets.color.has_value(),
                         targets.normal.has_value(),
                         targets.slopeVariance.has_value(),
@@ -270,7 +287,7 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
                                   Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferDst));
   impl->frame = std::move(frame);
   impl->tiles = std::move(tiles);
-  PELAGIC_TRY(set, impl->passes->water.createSet("composite view"));
+  PELAGIC_TRY(set, impl->passes->classify.createSet("composite view"));
   impl->set = std::move(set);
   PELAGIC_TRY(resolveSet, shared.resolve.createSet("composite resolve"));
   impl->resolveSet = std::move(resolveSet);
@@ -284,17 +301,21 @@ void CompositeView::Impl::recordInputs(vk::CommandBuffer commands, const shader:
       .buffer(frame, gpu::kTransferWrite)
       .buffer(tiles, gpu::kTransferWrite)
       .buffer(edges, gpu::kTransferWrite)
+      .image(shaded, gpu::kTransferDestination, true)
       .record(*context, commands);
   commands.updateBuffer(frame.handle(), 0, sizeof(block), &block, context->dispatch);
   // Per list an indirect dispatch of no groups, and no tiles.
-  constexpr std::array<std::uint32_t, 4 * shader::kTileLists> kEmpty{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-  commands.updateBuffer(tiles.handle(), 0, sizeof(kEmpty), kEmpty.data(), context->dispatch);
-  commands.updateBuffer(edges.handle(), 0, 4 * sizeof(std::uint32_t), kEmpty.data(), context->dispatch);
+  std::array<std::uint32_t, 4 * shader::kTileLists> empty{};
+  for (std::size_t list = 0; list < shader::kTileLists; ++list) empty[4 * list + 2] = 1;
+  commands.updateBuffer(tiles.handle(), 0, sizeof(empty), empty.data(), context->dispatch);
+  commands.updateBuffer(edges.handle(), 0, 4 * sizeof(std::uint32_t), empty.data(), context->dispatch);
+  commands.clearColorImage(shaded.handle(), vk::ImageLayout::eTransferDstOptimal, vk::ClearColorValue{}, shaded.range(),
+                           context->dispatch);
   gpu::Barrier()
       .buffer(frame, gpu::kComputeRead)
       .buffer(tiles, kComputeReadWrite)
       .buffer(edges, kComputeReadWrite)
-      .image(shaded, gpu::kComputeStorageWrite, true)
+      .image(shaded, gpu::kComputeStorageWrite)
       .record(*context, commands);
 }
 
@@ -328,7 +349,8 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     if (timings) timings->end(commandBuffer);
   };
   measured("composite classify", [&] {
-    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent, view.composite->lights));
+    view.recordInputs(commands,
+                      compositeFrame(waves, camera, medium, extent, view.planetRadius, view.composite->lights));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
     // A tile an invocation, 8 x 8 of them a group.
@@ -336,15 +358,21 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
                                    gpu::groups(extent.height, 8 * shader::kTileSize));
     gpu::Barrier().buffer(view.tiles, kComputeReadIndirect).record(*view.context, commands);
   });
-  const auto shade = [&](const gpu::ComputePass& pass, std::uint32_t list) {
+  const bool lit = !view.composite->lights.empty();
+  const auto shade = [&](std::uint32_t list) {
+    const bool water = list != shader::kSkyTiles && list != shader::kNightTiles;
+    const gpu::ComputePass& pass = lit && water ? (*view.passes->lit)[list] : view.passes->shade[list];
     pass.bind(commands, view.set);
     pass.dispatchIndirect(commands, view.tiles.handle(), list * 4 * sizeof(std::uint32_t));
   };
-  measured("composite sky", [&] { shade(view.passes->sky, shader::kSkyTiles); });
+  measured("composite sky", [&] {
+    shade(shader::kSkyTiles);
+    shade(shader::kNightTiles);
+  });
   measured("composite water", [&] {
-    const bool lit = !view.composite->lights.empty();
-    shade(lit ? *view.passes->litWater : view.passes->water, shader::kWaterTiles);
-    shade(lit ? *view.passes->litFoam : view.passes->foam, shader::kFoamTiles);
+    shade(shader::kWaterTiles);
+    shade(shader::kFoamTiles);
+    shade(shader::kVeiledTiles);
   });
   measured("composite resolve", [&] {
     gpu::Barrier barrier;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <composite/frame.hpp>
+#include <glm/gtc/constants.hpp>
 #include <pelagic/wave_sampling.hpp>
 
 #include "physics/atmosphere.glsl"
@@ -21,22 +22,55 @@ void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& fr
   frame.nearer = camera.reversedDepth ? 1.0f : -1.0f;
 }
 
+/// The water's colour. Crests of 0.6 to 3 m let light through.
+void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept {
+  const WaterLook& look = medium.look;
+  const auto set = [&](const glm::vec3& seen, const glm::vec3& other, const auto& transmittance) {
+    frame.waterAlbedo = glm::vec4(seen, 0);
+    frame.lookAlbedo = glm::vec4(other, look.law == WaterLook::Law::deepShallow ? look.shallowness : 0);
+    frame.thinCrest = glm::vec4(transmittance(0.6f), 0);
+    frame.thickCrest = glm::vec4(transmittance(3.0f), 0);
+  };
+  const auto absorbed = [&](float thickness) { return glm::exp(-thickness * medium.absorption); };
+  const auto tinted = [&](float thickness) {
+    return glm::vec3(1 - physics::tintOpacity(thickness, look.leastOpacity, look.opaqueDepth));
+  };
+  const glm::vec3 deep = look.deep * glm::one_over_pi<float>(), shallow = look.shallow * glm::one_over_pi<float>();
+  const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
+  switch (look.law) {
+    case WaterLook::Law::medium:
+      set(albedo, albedo, absorbed);
+      break;
+    case WaterLook::Law::deepShallow:
+      set(deep, shallow, absorbed);
+      break;
+    case WaterLook::Law::thickness:
+      set(deep, deep, tinted);
+      break;
+    case WaterLook::Law::viewAngle:
+      set(deep, shallow, absorbed);
+      break;
+  }
+  frame.planet.y = look.law == WaterLook::Law::viewAngle ? 1 : 0;
+  frame.planet.z = look.contrast;
+  frame.planet.w = look.law == WaterLook::Law::thickness ? 1 : 0;
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, std::span<const HostLight> lights) noexcept {
+                                      VkExtent2D extent, double planetRadius,
+                                      std::span<const HostLight> lights) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
   frame.waves = waveSampling(waves, eye);
   frame.absorption = glm::vec4(medium.absorption, static_cast<float>(camera.position.y));
-  const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
-  frame.waterAlbedo = glm::vec4(albedo, 0);
-  // Crests of 0.6 to 3 m let light through.
+  setLook(medium, frame);
   // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
-  frame.thinCrest = glm::vec4(glm::exp(-0.6f * medium.absorption), static_cast<float>(streaks));
-  const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
-  frame.thickCrest = glm::vec4(glm::exp(-3.0f * medium.absorption), shader::horizonElevation(height));
+  frame.thinCrest.w = static_cast<float>(streaks);
+  const float height = std::max(static_cast<float>(camera.position.y), 0.0f), radius = static_cast<float>(planetRadius);
+  frame.thickCrest.w = shader::horizonElevation(height, radius);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
   const glm::dvec2 wind(std::cos(waves.windDirection), std::sin(waves.windDirection));
@@ -49,6 +83,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
     frame.hostLightIntensity[frame.hostLights] = glm::vec4(light.intensity, 0);
     ++frame.hostLights;
   }
+  frame.planet.x = radius;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

@@ -9,6 +9,7 @@
 namespace pelagic {
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, std::span<const HostLight> lights) noexcept;
+                                      VkExtent2D extent, double planetRadius,
+                                      std::span<const HostLight> lights) noexcept;
 
 }  // namespace pelagic

@@ -27,21 +27,43 @@ Result<void> checkImage(const HostImage& image, const std::string& name, VkExten
   return {};
 }
 
-Result<void> checkRange(const glm::vec3& value, const std::string& name, float low, float high) {
+Result<void> checkRange(float value, const std::string& name, float low, float high, const std::string& unit) {
+  if (value >= low && value <= high) return {};
+  return gpu::reject(name + " is " + std::to_string(value) + ", it must be " + std::to_string(low) + " to " +
+                     std::to_string(high) + unit);
+}
+
+Result<void> checkRange(const glm::vec3& value, const std::string& name, float low, float high,
+                        const std::string& unit) {
   for (int i = 0; i < 3; ++i) {
-    if (!(value[i] >= low && value[i] <= high)) {
-      return gpu::reject(name + "[" + std::to_string(i) + "] is " + std::to_string(value[i]) + ", it must be " +
-                         std::to_string(low) + " to " + std::to_string(high) + " 1/m");
-    }
+    PELAGIC_CHECK(checkRange(value[i], name + "[" + std::to_string(i) + "]", low, high, unit));
   }
   return {};
 }
 
 }  // namespace
 
+std::span<const NamedWaterLook> waterLooks() noexcept {
+  using Law = WaterLook::Law;
+  static const NamedWaterLook looks[] = {
+      {"natural", {}},
+      {"turquoise", {.law = Law::deepShallow}},
+      {"glassy", {.law = Law::thickness, .deep = {0.006f, 0.055f, 0.080f}}},
+      {"painted", {.law = Law::viewAngle, .shallow = {0.020f, 0.130f, 0.105f}, .contrast = 1.7f}},
+  };
+  return looks;
+}
+
 Result<void> validate(const WaterMedium& medium) {
-  PELAGIC_CHECK(checkRange(medium.absorption, "WaterMedium::absorption", 1e-4f, 100));
-  PELAGIC_CHECK(checkRange(medium.backscatter, "WaterMedium::backscatter", 0, 100));
+  PELAGIC_CHECK(checkRange(medium.absorption, "WaterMedium::absorption", 1e-4f, 100, " 1/m"));
+  PELAGIC_CHECK(checkRange(medium.backscatter, "WaterMedium::backscatter", 0, 100, " 1/m"));
+  const WaterLook& look = medium.look;
+  PELAGIC_CHECK(checkRange(look.deep, "WaterLook::deep", 0, 1, ""));
+  PELAGIC_CHECK(checkRange(look.shallow, "WaterLook::shallow", 0, 1, ""));
+  PELAGIC_CHECK(checkRange(look.shallowness, "WaterLook::shallowness", 0, 1, ""));
+  PELAGIC_CHECK(checkRange(look.leastOpacity, "WaterLook::leastOpacity", 0, 1, ""));
+  PELAGIC_CHECK(checkRange(look.opaqueDepth, "WaterLook::opaqueDepth", 0.01f, 1000, " m"));
+  PELAGIC_CHECK(checkRange(look.contrast, "WaterLook::contrast", 1, 4, ""));
   return {};
 }
 

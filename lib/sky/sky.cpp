@@ -29,7 +29,7 @@ double moonlight(const SkyState& state) noexcept {
   return up ? static_cast<double>(physics::moonStrength(static_cast<float>(state.moonIlluminated))) : 0;
 }
 
-shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept {
+shader::SkyPass passOf(const SkyState& state, double planetRadius, double altitude, std::uint32_t airRows) noexcept {
   shader::SkyPass pass{};
   pass.sunDirection = glm::vec4(toward(state.sunElevation, state.sunAzimuth), static_cast<float>(state.sunElevation));
   pass.sunAzimuth = static_cast<float>(std::remainder(state.sunAzimuth, 2 * std::numbers::pi));
@@ -37,7 +37,7 @@ shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t air
   pass.haze = static_cast<float>(state.haze);
   pass.gain = static_cast<float>(twilightGain(state.sunElevation));
   pass.altitude = static_cast<float>(altitude);
-  pass.edge = shader::horizonElevation(pass.altitude);
+  pass.edge = shader::horizonElevation(pass.altitude, static_cast<float>(planetRadius));
   pass.airRows = airRows;
   pass.moonAzimuth = static_cast<float>(std::remainder(state.moonAzimuth, 2 * std::numbers::pi));
   pass.moonDirection = glm::vec4(toward(state.moonElevation, state.moonAzimuth), static_cast<float>(moonlight(state)));
@@ -116,7 +116,8 @@ Result<void> Sky::Impl::createSteps() {
   using Type = vk::DescriptorType;
   const auto create = [&](sky::Step& target, std::string_view name, std::span<const std::uint32_t> code,
                           std::initializer_list<Type> types) -> Result<void> {
-    PELAGIC_TRY(step, sky::createStep(*context, name, code, types, sizeof(shader::SkyPass)));
+    PELAGIC_TRY(step,
+                sky::createStep(*context, name, code, types, sizeof(shader::SkyPass), sky::aroundPlanet(planetRadius)));
     target = std::move(step);
     return {};
   };
@@ -179,7 +180,7 @@ void Sky::Impl::recordRadiance(vk::CommandBuffer commands, const shader::SkyPass
   barrier.image(clear, gpu::kComputeSampled).record(*context, commands);
   sky::recordMoonlit(*context, commands, moonStep, moonlit, push, shader::kClearSize);
   // The sun that the clouds see is that of their middle.
-  lightStep.run(commands, sky::passOf(state, state.clouds.base + 0.5 * state.clouds.thickness, 0), 1);
+  lightStep.run(commands, sky::passOf(state, planetRadius, state.clouds.base + 0.5 * state.clouds.thickness, 0), 1);
   barrier.buffer(light, sky::kLightRead).record(*context, commands);
   radianceStep.run(commands, push, shader::kRadianceWidth / shader::kSkyTile,
                    shader::kRadianceHeight / shader::kSkyTile);
@@ -221,12 +222,16 @@ Sky::Sky(Sky&&) noexcept = default;
 Sky& Sky::operator=(Sky&&) noexcept = default;
 Sky::~Sky() = default;
 
-Result<Sky> Sky::create(Device& device, const SkyState& state, const SkyEnvironment& environment) {
+Result<Sky> Sky::create(Device& device, const SkyState& state, double planetRadius, const SkyEnvironment& environment) {
   PELAGIC_CHECK(validate(state));
   PELAGIC_CHECK(validate(environment));
+  if (!(planetRadius >= 1e5 && planetRadius <= 1e8)) {
+    return gpu::reject("Sky's planetRadius is " + std::to_string(planetRadius) + " m, it must lie within 1e5 and 1e8");
+  }
   auto impl = std::make_unique<Impl>();
   impl->context = &device.context();
   impl->state = state;
+  impl->planetRadius = planetRadius;
   impl->hostSky = sky::hostSky(environment);
   PELAGIC_CHECK(impl->createResources());
   PELAGIC_CHECK(impl->createSteps());
@@ -269,7 +274,7 @@ void Sky::record(VkCommandBuffer commands, double time, Timings* timings) noexce
   if (impl_->hosted()) {
     impl_->recordHost(commands, timings);
   } else {
-    const shader::SkyPass push = sky::passOf(impl_->state, 0, 0);
+    const shader::SkyPass push = sky::passOf(impl_->state, impl_->planetRadius, 0, 0);
     if (impl_->airChanged) impl_->recordAir(commands, push, timings);
     impl_->recordRadiance(commands, push, timings);
     impl_->airChanged = false;

@@ -27,7 +27,7 @@ void recordMoonlit(const gpu::Context& context, vk::CommandBuffer commands, Step
                    const shader::SkyPass& push, std::uint32_t rows) noexcept;
 
 /// `airRows`: 0, or shader::kAirRows for the maps of an eye at `altitude` [m].
-shader::SkyPass passOf(const SkyState& state, double altitude, std::uint32_t airRows) noexcept;
+shader::SkyPass passOf(const SkyState& state, double planetRadius, double altitude, std::uint32_t airRows) noexcept;
 /// A buffer for a SkyLight block.
 Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name);
 
@@ -36,8 +36,9 @@ Result<gpu::Buffer> createLight(gpu::Context& context, std::string_view name);
 struct Sky::Impl {
   gpu::Context* context = nullptr;
   SkyState state;
-  double time = 0;         ///< Of the last record [s].
-  bool airChanged = true;  ///< What depends on the haze alone must be computed again.
+  double planetRadius = kEarthRadius;  ///< At sea level [m].
+  double time = 0;                     ///< Of the last record [s].
+  bool airChanged = true;              ///< What depends on the haze alone must be computed again.
   bool changed = true;
   bool cloudsChanged = true;  ///< Their shape.
   sky::HostSky hostSky;       ///< Shown instead, where it has a width.

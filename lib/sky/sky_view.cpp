@@ -85,7 +85,7 @@ Result<void> SkyView::Impl::createAir() {
   const Type sampled = Type::eCombinedImageSampler, storage = Type::eStorageImage, buffer = Type::eStorageBuffer;
   const auto march = [&](sky::Step& target, std::string_view name, const gpu::Image& output) -> Result<void> {
     PELAGIC_TRY(step, sky::createStep(context, name, shaders::sky_clear_comp, {sampled, buffer, storage},
-                                      sizeof(shader::SkyPass)));
+                                      sizeof(shader::SkyPass), sky::aroundPlanet(sky->planetRadius)));
     step.set.sampled(0, sky->transmittance.view(), *sky->clamped);
     step.set.buffer(1, sky->scattering.handle());
     step.set.storageImage(2, output.mipView(0));
@@ -95,7 +95,8 @@ Result<void> SkyView::Impl::createAir() {
   PELAGIC_CHECK(march(clearStep, "sky view clear", clear));
   PELAGIC_CHECK(march(moonStep, "sky view moonlit", moonlit));
   PELAGIC_TRY(step, sky::createStep(context, "sky view radiance", shaders::sky_radiance_comp,
-                                    {sampled, buffer, storage, sampled}, sizeof(shader::SkyPass)));
+                                    {sampled, buffer, storage, sampled}, sizeof(shader::SkyPass),
+                                    sky::aroundPlanet(sky->planetRadius)));
   radianceStep = std::move(step);
   radianceStep.set.sampled(0, clear.view(), *sky->clamped);
   radianceStep.set.buffer(1, sky->light.handle());
@@ -112,7 +113,7 @@ Result<void> SkyView::Impl::createClouds() {
   const auto create = [&](sky::Step& target, std::string_view name, std::span<const std::uint32_t> code,
                           const gpu::Image& air, const gpu::Image& output) -> Result<void> {
     PELAGIC_TRY(step, sky::createStep(context, name, code, {sampled, sampled, sampled, Type::eUniformBuffer, storage},
-                                      sizeof(shader::CloudView)));
+                                      sizeof(shader::CloudView), sky::aroundPlanet(sky->planetRadius)));
     step.set.sampled(0, sky->clouds.volume.view(), *sky->repeat);
     step.set.sampled(1, sky->clouds.detail.view(), *sky->repeatEverywhere);
     step.set.sampled(2, air.view(), *sky->turning);
@@ -146,7 +147,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
   const glm::dvec2 drift = layer.velocity * std::fmod(sky->time, kTile * 1e6);
   const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - drift) / kTile;
   view.place = glm::vec2(place - glm::floor(place));
-  view.edge = shader::horizonElevation(static_cast<float>(altitude));
+  view.edge = shader::horizonElevation(static_cast<float>(altitude), static_cast<float>(sky->planetRadius));
   view.cover = static_cast<float>(sky->cloudCover());
   view.width = clouds.info().extent.width;
   view.height = clouds.info().extent.height;
@@ -154,7 +155,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
 }
 
 void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
-  const shader::SkyPass push = sky::passOf(sky->state, altitude, shader::kAirRows);
+  const shader::SkyPass push = sky::passOf(sky->state, sky->planetRadius, altitude, shader::kAirRows);
   gpu::Barrier barrier;
   barrier.image(clear, gpu::kComputeStorageWrite, true)
       .image(radiance, gpu::kComputeStorageWrite, true)

@@ -1,6 +1,11 @@
+#include <bit>
 #include <sky/step.hpp>
 
 namespace pelagic::sky {
+
+std::array<std::uint32_t, 2> aroundPlanet(double radius) noexcept {
+  return {0, std::bit_cast<std::uint32_t>(static_cast<float>(radius))};
+}
 
 Result<Step> createStep(gpu::Context& context, std::string_view name, std::span<const std::uint32_t> code,
                         std::initializer_list<vk::DescriptorType> types, std::uint32_t pushBytes,

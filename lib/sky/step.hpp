@@ -1,6 +1,7 @@
 /// What the passes of the sky are made of.
 #pragma once
 
+#include <array>
 #include <gpu/barrier.hpp>
 #include <gpu/compute_pass.hpp>
 #include <initializer_list>
@@ -21,6 +22,8 @@ struct Step {
     pass.dispatch(commands, x, y, z);
   }
 };
+/// Specialisation constants of passes with physics/atmosphere.glsl: its kPlanetRadius is 1.
+std::array<std::uint32_t, 2> aroundPlanet(double radius) noexcept;
 /// `types`: of bindings 0, 1, 2 … `constants`: specialisation constants 0, 1, 2 …
 Result<Step> createStep(gpu::Context& context, std::string_view name, std::span<const std::uint32_t> code,
                         std::initializer_list<vk::DescriptorType> types, std::uint32_t pushBytes,

@@ -69,7 +69,7 @@ struct Hull {
 
 Hull waterHull(const Frustum& frustum, double height, const Relief& relief, double distance) {
   const double top = relief.vertical;
-  const double bottom = -curvatureDrop(distance) - relief.vertical;
+  const double bottom = -curvatureDrop(distance, relief.planetRadius) - relief.vertical;
   const double far = 1.05 * std::hypot(distance, std::abs(height) + std::max(top, -bottom));
   const glm::dvec3 eye(0, height, 0);
   std::array<glm::dvec3, 4> ends;
@@ -158,19 +158,29 @@ RowDensity densityOf(const Frustum& frustum, double height, const Relief& relief
   rows.floor = rows.height / std::max(slopes.high, (slopes.high - slopes.low) / 4);
   rows.reach = relief.deviation * frustum.pixels.y;
   constexpr double kChordError = 0.05;  // [px]
-  rows.curvature = std::sqrt(frustum.pixels.y / (8 * kEarthRadius * kChordError)) / coarseness;
+  rows.curvature = std::sqrt(frustum.pixels.y / (8 * relief.planetRadius * kChordError)) / coarseness;
   return rows;
 }
 
 }  // namespace
 
-double horizonDistance(double height) noexcept {
-  return std::sqrt(height * (2 * kEarthRadius + height)) * kEarthRadius / (kEarthRadius + height);
+double horizonDistance(double height, double planetRadius) noexcept {
+  return std::sqrt(height * (2 * planetRadius + height)) * planetRadius / (planetRadius + height);
 }
 
-double curvatureDrop(double distance) noexcept {
+double curvatureDrop(double distance, double planetRadius) noexcept {
   const double r2 = distance * distance;
-  return r2 / (kEarthRadius + std::sqrt(std::max(kEarthRadius * kEarthRadius - r2, 0.0)));
+  return r2 / (planetRadius + std::sqrt(std::max(planetRadius * planetRadius - r2, 0.0)));
+}
+
+GridLimits limitsOf(VkExtent2D extent, double targetEdge) noexcept {
+  const double block = targetEdge * kBlockCells;
+  const double across = std::ceil(extent.width / block) + 2;
+  const double down = std::ceil(extent.height / block) + 2;
+  GridLimits limits;
+  limits.blocks = static_cast<std::uint32_t>(10 * across * down);
+  limits.rows = static_cast<std::uint32_t>((10 * std::max(across, down) + 16) * kBlockCells) + 1;
+  return limits;
 }
 
 Grid projectGrid(const Camera& camera, VkExtent2D extent, double targetEdge, const Relief& relief,
@@ -180,7 +190,8 @@ Grid projectGrid(const Camera& camera, VkExtent2D extent, double targetEdge, con
   Grid grid;
   grid.right = frustum.right;
   grid.forward = frustum.forward;
-  grid.radius = horizonDistance(std::max(std::abs(height), 0.05)) + horizonDistance(relief.vertical);
+  grid.radius = horizonDistance(std::max(std::abs(height), 0.05), relief.planetRadius) +
+                horizonDistance(relief.vertical, relief.planetRadius);
 
   const Hull hull = tightHull(frustum, height, relief, grid.radius);
   Range z;

@@ -10,11 +10,12 @@
 
 namespace pelagic::surface {
 
-/// How far the water may be from its undisplaced place [m].
+/// How far the water may be from its undisplaced place, and what that is a sphere of [m].
 struct Relief {
   double deviation = 0;   ///< Standard deviation of the elevation.
   double vertical = 0;    ///< Bound of |elevation|.
   double horizontal = 0;  ///< Bound of the horizontal displacement.
+  double planetRadius = kEarthRadius;
 };
 
 /// What the buffers of a view hold.
@@ -22,6 +23,9 @@ struct GridLimits {
   std::uint32_t blocks = 0;
   std::uint32_t rows = 0;
 };
+/// Room for many times the blocks that cover the picture: water that may be displaced into it, pictures that lie
+/// diagonally in the grid, rows closer than asked for where waves are large. A grid that needs more has larger cells.
+GridLimits limitsOf(VkExtent2D extent, double targetEdge) noexcept;
 
 /// The projected grid. It is uniform in the picture of a camera with the host camera's axis but no roll; see
 /// shaders/surface/surface_frame.h for how its numbers make a point.
@@ -42,8 +46,8 @@ Grid projectGrid(const Camera& camera, VkExtent2D extent, double targetEdge, con
                  const GridLimits& limits, std::span<glm::vec2> rows) noexcept;
 
 /// Horizontal distance from the foot of an eye at `height` >= 0 [m] to its horizon [m].
-double horizonDistance(double height) noexcept;
+double horizonDistance(double height, double planetRadius) noexcept;
 /// How far sea level lies below the tangent plane at a horizontal distance [m].
-double curvatureDrop(double distance) noexcept;
+double curvatureDrop(double distance, double planetRadius) noexcept;
 
 }  // namespace pelagic::surface

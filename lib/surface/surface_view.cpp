@@ -27,23 +27,11 @@ constexpr gpu::BufferState kFrameRead{vk::PipelineStageFlagBits2::eComputeShader
                                           vk::PipelineStageFlagBits2::eFragmentShader,
                                       vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eUniformRead};
 
-/// Room for many times the blocks that cover the picture: water that may be displaced into it, pictures that lie
-/// diagonally in the grid, rows closer than asked for where waves are large. A grid that needs more has larger cells.
-GridLimits limitsOf(VkExtent2D extent, float targetEdge) {
-  const double block = static_cast<double>(targetEdge) * shader::kBlockCells;
-  const double across = std::ceil(extent.width / block) + 2;
-  const double down = std::ceil(extent.height / block) + 2;
-  GridLimits limits;
-  limits.blocks = static_cast<std::uint32_t>(10 * across * down);
-  limits.rows = static_cast<std::uint32_t>((10 * std::max(across, down) + 16) * shader::kBlockCells) + 1;
-  return limits;
-}
-
 /// Multiples of the standard deviation that no crest is expected to exceed.
 constexpr double kCrest = 6;
 
-Relief reliefOf(const WaveMaps& maps) noexcept {
-  return {maps.elevationDeviation, kCrest * maps.elevationDeviation, kCrest * maps.horizontalDeviation};
+Relief reliefOf(const WaveMaps& maps, double planetRadius) noexcept {
+  return {maps.elevationDeviation, kCrest * maps.elevationDeviation, kCrest * maps.horizontalDeviation, planetRadius};
 }
 
 }  // namespace
@@ -169,7 +157,7 @@ Result<void> SurfaceView::Impl::createSets(const WaveMaps& maps) {
 
 /// Lays out the grid and fills `frame`.
 surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& camera) noexcept {
-  const surface::Relief relief = surface::reliefOf(maps);
+  const surface::Relief relief = surface::reliefOf(maps, surface->info.planetRadius);
   const auto grid =
       surface::projectGrid(camera, extent, static_cast<double>(surface->info.targetEdge), relief, limits, rows);
   const glm::mat4 clip = camera.projection * glm::mat4(camera.rotation);
@@ -177,7 +165,7 @@ surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& cam
   frame.previousClip = hasPrevious ? frame.clip : clip;
   frame.clip = clip;
   frame.axes = glm::vec4(glm::vec2(grid.right), glm::vec2(grid.forward));
-  frame.previousOffset = glm::vec4(glm::vec3(moved), static_cast<float>(camera.position.y - moved.y));
+  frame.previousOffset = glm::vec4(glm::dvec4(moved, surface->info.planetRadius));
   frame.firstColumn = static_cast<float>(grid.firstColumn);
   frame.columnStep = static_cast<float>(grid.columnStep);
   frame.radius = static_cast<float>(grid.radius);
@@ -284,7 +272,7 @@ Result<SurfaceView> SurfaceView::create(Surface& surface, const WaveMaps& maps, 
   auto impl = std::make_unique<Impl>();
   impl->surface = surface.impl_.get();
   impl->extent = extent;
-  impl->limits = surface::limitsOf(extent, surface.impl_->info.targetEdge);
+  impl->limits = surface::limitsOf(extent, static_cast<double>(surface.impl_->info.targetEdge));
   PELAGIC_CHECK(impl->createImages());
   PELAGIC_CHECK(impl->createBuffers());
   PELAGIC_CHECK(impl->createSets(maps));
@@ -306,7 +294,7 @@ void SurfaceView::record(VkCommandBuffer commands, const WaveMaps& maps, const C
 
 WaterBuffer SurfaceView::buffer() const noexcept {
   return {impl_->position.map(), impl_->surface->info.motionVectors ? impl_->motion.map() : MapView{},
-          impl_->body.map(), impl_->depth.map()};
+          impl_->body.map(), impl_->depth.map(), impl_->surface->info.planetRadius};
 }
 
 VkBuffer SurfaceView::drawArguments() const noexcept { return impl_->arguments.handle(); }

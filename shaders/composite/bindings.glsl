@@ -9,6 +9,9 @@ layout(constant_id = 1) const bool kHasNormal = false;
 layout(constant_id = 2) const bool kHasSlopeVariance = false;
 layout(constant_id = 3) const bool kHasMergedDepth = false;
 layout(constant_id = 6) const bool kHasClouds = false;
+// Of the pipelines for kNightTiles and kVeiledTiles.
+layout(constant_id = 7) const bool kNight = false;
+layout(constant_id = 8) const bool kVeiled = false;
 
 layout(binding = 0, std140) uniform Frame { CompositeFrame frame; };
 layout(binding = 2, std140) uniform Light { SkyLight light; };

@@ -89,10 +89,14 @@ void main() {
   uvec2 tile = gl_GlobalInvocationID.xy;
   if (tile.x * kTileSize >= frame.width || tile.y * kTileSize >= frame.height) return;
   Water water = waterOf(tile * kTileSize);
-  if (!water.everywhere) append(kSkyTiles, tile, 0u);
+  bool night = light.skyIrradiance.w > 1.0 || any(greaterThan(light.moonRadiance.rgb, vec3(0)));
+  if (!water.everywhere) append(night ? kNightTiles : kSkyTiles, tile, 0u);
   if (water.distance < 0.0) return;
   float view = steepestView(tile);
   uint foaming = foamingCascades(water, view);
   uint cascades = cascadesToSample(footprintSide(water.distance * frame.waterAlbedo.w, view));
-  append(foaming == 0u ? kWaterTiles : kFoamTiles, tile, cascades | foaming << 8);
+  // Clouds hide the sea from an eye above them.
+  bool veiled = kHasClouds && frame.absorption.w > light.cloudPlace.w;
+  if (veiled) foaming = max(foaming, 1u);
+  append(veiled ? kVeiledTiles : foaming == 0u ? kWaterTiles : kFoamTiles, tile, cascades | foaming << 8);
 }

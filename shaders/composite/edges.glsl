@@ -1,5 +1,6 @@
 // Where the surface seen breaks off between one pixel and the next: at the outline of a wave, before the sky or before water
-// farther off. The passes that shade leave it in alpha, the last pass smooths the stairs along it.
+// farther off. The passes that shade leave it in alpha of a picture of such
+// pixels, which else is 0, and the last pass smooths the stairs along it.
 #ifndef PELAGIC_COMPOSITE_EDGES_GLSL
 #define PELAGIC_COMPOSITE_EDGES_GLSL
 #include "composite/bindings.glsl"
@@ -45,8 +46,8 @@ void writeRadiance(ivec2 place, vec3 radiance) {
   vec3 stored = clamp(radiance, vec3(0), vec3(kLargestRadiance));
   uint edges = edgesOf(place);
   imageStore(outputImage, place, vec4(stored, 1));
-  imageStore(shadedImage, place, vec4(stored, float(edges)));
   if (edges != 0u) {
+    imageStore(shadedImage, place, vec4(stored, float(edges)));
     uint index = atomicAdd(edgeWords[3], 1u);
     uint group = index / kEdgeGroup;
     atomicMax(edgeWords[0], min(group + 1u, kTilesPerRow));

@@ -46,10 +46,12 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
   // In a strong wind older foam gathers in streaks along it.
   float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
-  streak = mix(0.5, streak, frame.thinCrest.w * clamp(1.5 - 0.25 * footprint, 0.0, 1.0));  // four metres wide
-  float aged = clamp(freshness * (0.4 + 1.2 * streak), 0.0, 1.0);
+  float mixed = mix(0.5, streak, frame.thinCrest.w * clamp(1.5 - 0.25 * footprint, 0.0, 1.0));  // four metres wide
+  float aged = clamp(freshness * (0.4 + 1.2 * mixed), 0.0, 1.0);
   float share = clamp(mix(aged, freshness, freshness), 0.0, 0.98);
 
+  // Torn, where the streaks' field is steep.
+  q += vec2(3.0, 0.7) * streak;
   FoamPattern pattern = foamPattern(q, footprint);
   // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).
   float level = kWhole / 1.702 * log((1.0 - share) / max(share, 1e-4));
@@ -57,8 +59,8 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   Foam foam;
   foam.cover = min(share * 50.0, 1.0) / (1.0 + exp(-1.702 * clamp(z, -30.0, 30.0)));
   // Thin toward the edges of a patch, and thinner with age.
-  float thickness = clamp(0.3 + 1.2 * (pattern.height - level), 0.0, 1.0);
-  foam.albedo = mix(0.5, 0.85, thickness * sqrt(share));
+  float thickness = clamp(0.1 + 2.5 * (pattern.height - level), 0.0, 1.0);
+  foam.albedo = mix(0.4, 0.9, thickness);
   return foam;
 }
 

@@ -4,7 +4,7 @@
 #include "composite/sea_light.glsl"
 
 // No pipeline that has no lights pays for them.
-layout(constant_id = 7) const bool kHostLights = false;
+layout(constant_id = 9) const bool kHostLights = false;
 
 struct HostLit {
   vec3 mirrored;  // radiance that the sea mirrors

@@ -48,13 +48,17 @@ vec3 environment(Mirrored mirror, vec3 covariance) {
   return sum.rgb / max(sum.a, 0.02);
 }
 
-// Light of the sky behind a crest that is thin enough to be seen through: into the near face and out of the far one,
-// coloured by absorption on the way. How far the water is pushed together tells how thin a crest is; only crests seen
+// Radiance from below the surface, without what the surface keeps of it, where `entering` is the irradiance that enters.
+// Behind a crest that is thin enough to be seen through stands the sky: its light goes into the near face and out of the far
+// one, coloured by absorption on the way. How far the water is pushed together tells how thin a crest is; only crests seen
 // against the light show it, since there the bright sky stands behind them.
-vec3 crestLight(SeaPoint sea, vec3 v, vec3 l, vec3 behind) {
+vec3 bodyLight(SeaPoint sea, vec3 v, vec3 l, vec3 entering, vec3 behind) {
   float sharp = smoothstep(0.35, 0.95, sea.compression);
   float against = clamp(-dot(v.xz, l.xz) * inversesqrt(max(dot(v.xz, v.xz), 1e-6)), 0.0, 1.0);
-  return behind * (0.35 * sharp * against) * mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
+  vec3 through = mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
+  float angle = acos(clamp(dot(v, sea.normal), 0.0, 1.0)) / (0.5 * kPi);
+  vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.lookAlbedo.w + frame.planet.y * angle);
+  return albedo * entering * (1.0 - frame.planet.w * sharp * against * through) + behind * (0.35 * sharp * against) * through;
 }
 
 // What the sea mirrors of a disc of the angular radius `radius` [rad] around l that shines with `irradiance` on a plane facing
@@ -76,7 +80,6 @@ vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, vec3 l, vec3 irradianc
 vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec3 horizon) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
   entering += enteringIrradiance(sunlight, light.sunDirection.y, light.skyIrradiance.rgb);
-  vec3 under = frame.waterAlbedo.rgb * entering;
 
   float perHorizontal = inversesqrt(max(dot(v.xz, v.xz), 1e-6));
   float deviation = seen.deviation * perHorizontal * sea.normal.y;
@@ -91,10 +94,10 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
   // Part of the facets mirror what lies below the horizon, which is sea: it returns nearly half of the same sky.
   float spread = 2.0 * sqrt(max(covarianceAlong(facets.covariance, v.xz * perHorizontal), 1e-8));
   float above = 1.0 / (1.0 + exp(-1.702 * clamp(centre.elevation / spread, -20.0, 20.0)));
-  vec3 reflected = mix(mix(under, sky, 0.45), sky, above);
+  vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, 0.45), sky, above);
 
   vec3 sun = mirroredLight(sea, seen, v, l, sunlight, kSunAngularRadius, light.sunRadiance.rgb, false);
-  return fresnel * reflected + sun + (1.0 - fresnel) * (under + crestLight(sea, v, l, horizon));
+  return fresnel * frame.planet.z * reflected + sun + (1.0 - fresnel) * bodyLight(sea, v, l, entering, horizon);
 }
 
 #endif

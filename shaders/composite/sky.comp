@@ -7,7 +7,7 @@
 #include "composite/tiles.glsl"
 
 void main() {
-  Tile tile = readTile(kSkyTiles);
+  Tile tile = readTile(kNight ? kNightTiles : kSkyTiles);
   if (!tile.valid) return;
   Pixel pixel = readPixel(tile.pixel);
   if (pixel.water) return;  // water.comp's
@@ -15,7 +15,9 @@ void main() {
   float inverseLength = inversesqrt(dot(ray, ray));
   vec3 d = ray * inverseLength;
   vec4 clouds = cloudsBefore(tile.pixel);
-  vec3 radiance = skyRadiance(skyPlace(d)) + bodies(d, frame.waterAlbedo.w * inverseLength);
+  float pixelSize = frame.waterAlbedo.w * inverseLength;
+  vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, pixelSize);
+  if (kNight) radiance += moonDisc(d, pixelSize) + starLight(d, pixelSize);
   radiance = radiance * clouds.a + clouds.rgb;
   if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
   writeRadiance(tile.pixel, radiance);

@@ -91,11 +91,4 @@ vec3 starLight(vec3 d, float pixel) {
   return shown * (starStrength(magnitude) * near * near * 6.0 / (kPi * spread * spread));
 }
 
-// Sun, moon and stars behind a pixel.
-vec3 bodies(vec3 d, float pixel) {
-  vec3 radiance = sunDisc(d, pixel) + moonDisc(d, pixel);
-  if (light.skyIrradiance.w > 1.0) radiance += starLight(d, pixel);
-  return radiance;
-}
-
 #endif

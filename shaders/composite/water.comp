@@ -1,7 +1,6 @@
 #version 460
 // Pixels of water: the sea's light and foam through the air.
 #extension GL_GOOGLE_include_directive : require
-#include "pelagic/shader/constants.h"
 #include "composite/bindings.glsl"
 #include "composite/edges.glsl"
 #include "composite/sky_lookup.glsl"
@@ -25,10 +24,13 @@ float sunThroughClouds(vec2 p, float side) {
   return textureLod(cloudShadow, light.cloudPlace.xy + p * light.cloudPlace.z, lod).r;
 }
 
-// A direction in the level frame of a point that lies p [m] from the eye: the Earth's curvature tilts the vertical.
+// A direction in the level frame of a point that lies p [m] from the eye: the planet's curvature tilts the vertical by the
+// angle whose sine is the length of p over the radius.
 vec3 levelled(vec3 d, vec2 p) {
-  vec2 tilt = p / kEarthRadius;
-  return vec3(d.xz - tilt * d.y, d.y + dot(d.xz, tilt)).xzy;
+  vec2 tilt = p / frame.planet.x;
+  float cosine = sqrt(max(1.0 - dot(tilt, tilt), 0.0));
+  float along = dot(d.xz, tilt);
+  return vec3(d.xz - tilt * (d.y + along / (1.0 + cosine)), d.y * cosine + along).xzy;
 }
 #include "composite/host_lights.glsl"
 
@@ -39,7 +41,7 @@ float distanceToNeighbour(ivec2 pixel, vec2 p) {
 }
 
 void main() {
-  Tile tile = readTile(kFoaming ? kFoamTiles : kWaterTiles);
+  Tile tile = readTile(kVeiled ? kVeiledTiles : kFoaming ? kFoamTiles : kWaterTiles);
   if (!tile.valid) return;
   Pixel pixel = readPixel(tile.pixel);
   if (!pixel.water) return;  // sky.comp's
@@ -72,8 +74,7 @@ void main() {
     normal.w = foam.cover;
   }
   radiance = mix(skyRadiance(place), radiance, airTransmittance(axial * rayLength));
-  // Clouds hide the sea from an eye above them.
-  if (kHasClouds && frame.absorption.w > light.cloudPlace.w) {
+  if (kVeiled) {
     vec4 clouds = cloudsBefore(tile.pixel);
     radiance = radiance * clouds.a + clouds.rgb;
   }

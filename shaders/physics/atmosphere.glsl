@@ -9,8 +9,10 @@
 #define PELAGIC_AIR_FORMULA inline
 namespace pelagic::shader {
 using namespace glm;
+inline constexpr float kPlanetRadius = kEarthRadius;  // passes get the sky's own; what runs on the CPU takes it
 #else
 #define PELAGIC_AIR_FORMULA
+layout(constant_id = 1) const float kPlanetRadius = kEarthRadius;  // at sea level [m]
 #endif
 
 PELAGIC_SHADER_CONSTANT float kAirPi = 3.14159265f;
@@ -60,22 +62,22 @@ PELAGIC_AIR_FORMULA vec3 mieScattering(vec3 d, float haze) { return kMieExtincti
 
 // Altitude after the distance t along a ray from altitude h: r^2 - R^2 is summed without the cancelling R^2.
 PELAGIC_AIR_FORMULA float altitudeAlong(float h, float mu, float t) {
-  float q = h * (2.0f * kEarthRadius + h) + t * (2.0f * (kEarthRadius + h) * mu + t);
-  return q / (sqrt(kEarthRadius * kEarthRadius + q) + kEarthRadius);
+  float q = h * (2.0f * kPlanetRadius + h) + t * (2.0f * (kPlanetRadius + h) * mu + t);
+  return q / (sqrt(kPlanetRadius * kPlanetRadius + q) + kPlanetRadius);
 }
 
 // Distance from altitude h inside the air to its top.
 PELAGIC_AIR_FORMULA float distanceToTop(float h, float mu) {
-  float b = (kEarthRadius + h) * mu;
-  float c = (kAirTop - h) * (2.0f * kEarthRadius + kAirTop + h);
+  float b = (kPlanetRadius + h) * mu;
+  float c = (kAirTop - h) * (2.0f * kPlanetRadius + kAirTop + h);
   float root = sqrt(b * b + c);
   return b > 0.0f ? c / (root + b) : root - b;
 }
 
 // Distance to the globe's near surface, negative when the ray misses it.
 PELAGIC_AIR_FORMULA float distanceToGround(float h, float mu) {
-  float b = (kEarthRadius + h) * mu;
-  float c = h * (2.0f * kEarthRadius + h);
+  float b = (kPlanetRadius + h) * mu;
+  float c = h * (2.0f * kPlanetRadius + h);
   float discriminant = b * b - c;
   if (mu >= 0.0f || discriminant < 0.0f) return -1.0f;
   return c / (sqrt(discriminant) - b);
@@ -83,14 +85,14 @@ PELAGIC_AIR_FORMULA float distanceToGround(float h, float mu) {
 
 // Cosine of the zenith angle of the globe's edge seen from altitude h.
 PELAGIC_AIR_FORMULA float horizonCosine(float h) {
-  return -sqrt(h * (2.0f * kEarthRadius + h)) / (kEarthRadius + h);
+  return -sqrt(h * (2.0f * kPlanetRadius + h)) / (kPlanetRadius + h);
 }
 
 // Optical depth from altitude h to the top of the air by the midpoint rule. Samples crowd as t = t0 + x|x| around the
 // ray's lowest point t0, where the density peaks.
 PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int steps) {
   float end = distanceToTop(h, mu);
-  float lowest = clamp(-(kEarthRadius + h) * mu, 0.0f, end);
+  float lowest = clamp(-(kPlanetRadius + h) * mu, 0.0f, end);
   float from = -sqrt(lowest);
   float step = (sqrt(end - lowest) - from) / float(steps);
   vec3 depth = vec3(0.0f);
@@ -118,8 +120,8 @@ PELAGIC_AIR_FORMULA float sunVisibility(float h, float mu) {
 // Transmittance map (Bruneton & Neyret 2008): x how far the top is between its nearest and its farthest, y distance to
 // the horizon. In 0 ... 1; rays below the horizon are held at it.
 PELAGIC_AIR_FORMULA vec2 transmittancePlace(float h, float mu) {
-  float edge = sqrt(h * (2.0f * kEarthRadius + h));
-  float edgeOfTop = sqrt(kAirTop * (2.0f * kEarthRadius + kAirTop));
+  float edge = sqrt(h * (2.0f * kPlanetRadius + h));
+  float edgeOfTop = sqrt(kAirTop * (2.0f * kPlanetRadius + kAirTop));
   float nearest = kAirTop - h;
   float farthest = edge + edgeOfTop;
   float d = distanceToTop(h, max(mu, horizonCosine(h)));
@@ -127,12 +129,12 @@ PELAGIC_AIR_FORMULA vec2 transmittancePlace(float h, float mu) {
 }
 // Its inverse: altitude and mu.
 PELAGIC_AIR_FORMULA vec2 transmittanceRay(vec2 place) {
-  float edgeOfTop = sqrt(kAirTop * (2.0f * kEarthRadius + kAirTop));
+  float edgeOfTop = sqrt(kAirTop * (2.0f * kPlanetRadius + kAirTop));
   float edge = place.y * edgeOfTop;
-  float h = min(edge * edge / (sqrt(kEarthRadius * kEarthRadius + edge * edge) + kEarthRadius), kAirTop);
+  float h = min(edge * edge / (sqrt(kPlanetRadius * kPlanetRadius + edge * edge) + kPlanetRadius), kAirTop);
   float nearest = kAirTop - h;
   float d = nearest + place.x * (edge + edgeOfTop - nearest);
-  float mu = d > 0.0f ? (edgeOfTop * edgeOfTop - edge * edge - d * d) / (2.0f * (kEarthRadius + h) * d) : 1.0f;
+  float mu = d > 0.0f ? (edgeOfTop * edgeOfTop - edge * edge - d * d) / (2.0f * (kPlanetRadius + h) * d) : 1.0f;
   return vec2(h, clamp(mu, horizonCosine(h), 1.0f));
 }
 
@@ -149,9 +151,9 @@ PELAGIC_AIR_FORMULA vec2 scatteringPoint(vec2 place) {
   return vec2(kAirTop * place.y * place.y, s * abs(s));
 }
 
-// Elevation of the globe's edge seen from altitude h [rad], <= 0.
-PELAGIC_AIR_FORMULA float horizonElevation(float h) {
-  return -atan(sqrt(h * (2.0f * kEarthRadius + h)) / kEarthRadius);
+// Elevation of the edge of a globe of the given radius seen from altitude h [rad], <= 0.
+PELAGIC_AIR_FORMULA float horizonElevation(float h, float radius) {
+  return -atan(sqrt(h * (2.0f * radius + h)) / radius);
 }
 
 // Rows of the sky maps: elevation -> v and back, v = 0.5 at the eye's horizon `edge`, denser there.

@@ -19,16 +19,16 @@ PELAGIC_FORMULA_CONSTANT float kCloudLongest = 20.0f;
 // Distance from the altitude h to the sphere of the altitude `shell` along a ray that climbs through it or starts inside
 // it; without cancellation.
 PELAGIC_FORMULA float distanceUpTo(float h, float shell, float mu) {
-  float b = (kEarthRadius + h) * mu;
-  float c = (shell - h) * (2.0f * kEarthRadius + shell + h);
+  float b = (kPlanetRadius + h) * mu;
+  float c = (shell - h) * (2.0f * kPlanetRadius + shell + h);
   float root = sqrt(max(b * b + c, 0.0f));
   return b > 0.0f ? c / (root + b) : root - b;
 }
 
 // Distance from h down to the sphere of the altitude `shell` < h, negative when the ray misses it.
 PELAGIC_FORMULA float distanceDownTo(float h, float shell, float mu) {
-  float b = (kEarthRadius + h) * mu;
-  float c = (h - shell) * (2.0f * kEarthRadius + shell + h);
+  float b = (kPlanetRadius + h) * mu;
+  float c = (h - shell) * (2.0f * kPlanetRadius + shell + h);
   float discriminant = b * b - c;
   if (mu >= 0.0f || discriminant < 0.0f) return -1.0f;
   return c / (sqrt(discriminant) - b);

@@ -21,6 +21,11 @@ PELAGIC_FORMULA vec3 waterLeaving(vec3 reflectance) {
   return 0.96f * reflectance / (kWaterIndex * kWaterIndex * 4.0f * (1.0f - 0.48f * reflectance));
 }
 
+// How opaque water of a thickness [m] looks that is opaque from `opaqueDepth` [m] on: O_min + (1 - O_min) sqrt(min(t / D, 1)).
+PELAGIC_FORMULA float tintOpacity(float thickness, float leastOpacity, float opaqueDepth) {
+  return leastOpacity + (1.0f - leastOpacity) * sqrt(min(thickness / opaqueDepth, 1.0f));
+}
+
 // Irradiance that enters the water [as the inputs] from a sun at the height sunY = sin(elevation) and from the sky.
 PELAGIC_FORMULA vec3 enteringIrradiance(vec3 sun, float sunY, vec3 sky) {
   float y = max(sunY, 0.0f);

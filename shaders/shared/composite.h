@@ -10,13 +10,15 @@ PELAGIC_SHADER_BEGIN
 PELAGIC_SHADER_CONSTANT uint kTileSize = 8u;
 // Tiles of a list dispatched along x before the next row of groups starts; below every device's limit.
 PELAGIC_SHADER_CONSTANT uint kTilesPerRow = 32768u;
-// Tile lists. A tile may be on the first and on one of the others: each pass draws its own pixels.
-PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;    // sky or the host's picture in at least one pixel
-PELAGIC_SHADER_CONSTANT uint kWaterTiles = 1u;  // water in at least one pixel, no foam
-PELAGIC_SHADER_CONSTANT uint kFoamTiles = 2u;   // water and foam
-PELAGIC_SHADER_CONSTANT uint kTileLists = 3u;
+// Tile lists. A tile may be on one of the first two and on one of the others: each pass draws its own pixels.
+PELAGIC_SHADER_CONSTANT uint kSkyTiles = 0u;     // sky or the host's picture in at least one pixel
+PELAGIC_SHADER_CONSTANT uint kNightTiles = 1u;   // the same with moon or stars in the sky
+PELAGIC_SHADER_CONSTANT uint kWaterTiles = 2u;   // water in at least one pixel, no foam
+PELAGIC_SHADER_CONSTANT uint kFoamTiles = 3u;    // water and foam
+PELAGIC_SHADER_CONSTANT uint kVeiledTiles = 4u;  // water with or without foam, clouds before it
+PELAGIC_SHADER_CONSTANT uint kTileLists = 5u;
 // 32-bit words before the first list, whose entries have two.
-PELAGIC_SHADER_CONSTANT uint kTileListStart = 16u;
+PELAGIC_SHADER_CONSTANT uint kTileListStart = 20u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
@@ -40,8 +42,11 @@ struct CompositeFrame {
   vec4 thinCrest;    // transmittance of the thinnest and; w: how far old foam gathers in streaks, 0 ... 1
   vec4 thickCrest;   // of the thickest crest that light comes through; w: elevation of the eye's horizon [rad]
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
+  vec4 lookAlbedo;   // the same that the look turns to; w: share of it everywhere
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
-  uint width;        // of the view [px]
+  vec4 planet;  // x: its radius [m]. Of the look, y: share that grows with the angle of view, z: factor on the sky's
+                // reflected light, w: 1 where thin crests hide the water's colour
+  uint width;   // of the view [px]
   uint height;
   uint tiles;                                // capacity of each list
   float nearer;                              // 1: greater depth is nearer, -1: less is

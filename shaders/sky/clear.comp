@@ -40,7 +40,7 @@ Air airAlong(float altitude, float viewMu, float end, float sunMu, float sunView
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;  // dense near the eye
     float h = clamp(altitudeAlong(altitude, viewMu, t), 0.0, kAirTop);
-    float mu = ((kEarthRadius + altitude) * sunMu + t * sunView) / (kEarthRadius + h);
+    float mu = ((kPlanetRadius + altitude) * sunMu + t * sunView) / (kPlanetRadius + h);
     vec3 density = airDensity(h);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density, pass.haze);

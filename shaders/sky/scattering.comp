@@ -36,7 +36,7 @@ void march(float h, vec4 direction, float sunMu, uint slot) {
     float a = float(i) / float(kSteps), b = float(i + 1) / float(kSteps), m = 0.5 * (a + b);
     float t = end * m * m;
     float height = clamp(altitudeAlong(h, direction.y, t), 0.0, kAirTop);
-    float mu = ((kEarthRadius + h) * sunMu + t * sunView) / (kEarthRadius + height);
+    float mu = ((kPlanetRadius + h) * sunMu + t * sunView) / (kPlanetRadius + height);
     vec3 density = airDensity(height);
     vec3 extinction = airExtinction(density, pass.haze);
     vec3 scattered = kRayleighScattering * density.x + mieScattering(density, pass.haze);
@@ -48,7 +48,7 @@ void march(float h, vec4 direction, float sunMu, uint slot) {
     through *= stepThrough;
   }
   if (ground >= 0.0) {
-    float mu = ((kEarthRadius + h) * sunMu + ground * sunView) / kEarthRadius;
+    float mu = ((kPlanetRadius + h) * sunMu + ground * sunView) / kPlanetRadius;
     light += through * sunlightAt(transmittance, 0.0, mu) * (max(mu, 0.0) * kAirAlbedo / kAirPi);
   }
   secondOrder[slot] = light * direction.w;

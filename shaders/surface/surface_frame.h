@@ -19,7 +19,7 @@ struct SurfaceFrame {
   mat4 clip;            // relative position to clip space
   mat4 previousClip;    // the same of the previous frame
   vec4 axes;            // world (x,z) of X, world (x,z) of Z
-  vec4 previousOffset;  // xyz camera less previous camera [m], w previous camera's height [m]
+  vec4 previousOffset;  // xyz camera less previous camera [m], w radius of the planet [m]
   float firstColumn;    // [1]
   float columnStep;     // [1]
   float radius;         // ground points farther than this from the camera's foot are drawn in to it [m]

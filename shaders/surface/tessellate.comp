@@ -5,7 +5,6 @@
 #include "surface/surface_frame.h"
 #include "pelagic/shader/wave_lookup.glsl"
 #include "pelagic/shader/wave_gain.glsl"
-#include "surface/earth.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool kMotion = false;
@@ -39,6 +38,13 @@ vec3 displaced(sampler2DArray map, vec2 p, float footprint) {
   return sum;
 }
 
+// How far the sea level lies below the tangent plane at the place `ground` [m], without cancellation.
+float curvatureDrop(vec2 ground) {
+  float radius = frame.previousOffset.w;
+  float r2 = dot(ground, ground);
+  return r2 / (radius + sqrt(max(radius * radius - r2, 0.0)));
+}
+
 // The longer side of the cells around a row [m].
 float cellLength(uint j, float lateral) {
   uint before = j > 0 ? j - 1 : 0;
@@ -54,7 +60,7 @@ uint outcode(vec4 clip, bool drawnIn) {
 
 vec4 previousClip(vec2 ground, float footprint) {
   vec2 previousGround = ground + frame.previousOffset.xz;
-  float level = -curvatureDrop(dot(previousGround, previousGround)) - frame.previousOffset.w;
+  float level = frame.previousOffset.y - frame.cameraHeight - curvatureDrop(previousGround);
   vec3 before = vec3(previousGround.x, level, previousGround.y) + displaced(previousDisplacement, ground, footprint);
   return frame.previousClip * vec4(before, 1);
 }
@@ -69,7 +75,7 @@ void main() {
   vec2 ground = local.x * frame.axes.xy + local.y * frame.axes.zw;
 
   float footprint = cellLength(index.y, frame.columnStep * row.y);
-  vec3 position = vec3(ground.x, -curvatureDrop(dot(ground, ground)) - frame.cameraHeight, ground.y) +
+  vec3 position = vec3(ground.x, -curvatureDrop(ground) - frame.cameraHeight, ground.y) +
                   displaced(displacement, ground, footprint);
 
   if (gl_LocalInvocationIndex == 0) outside = ~0u;

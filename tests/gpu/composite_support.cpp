@@ -174,6 +174,7 @@ void SyntheticScene::fillMaps() {
   water_.position = mapOf(positionImage_, *positionImage_.view);
   water_.body = mapOf(bodyImage_, *bodyImage_.view);
   water_.depth = mapOf(depthImage_, *depthImage_.view);
+  water_.planetRadius = planetRadius;
 }
 
 float SyntheticScene::depthAt(float w) const {

@@ -30,6 +30,7 @@ class SyntheticScene {
   pelagic::Camera camera;
   pelagic::WaterMedium medium;
   std::vector<pelagic::HostLight> lights;
+  double planetRadius = pelagic::kEarthRadius;
   bool withHost = false;
   bool withOutputs = true;
 

@@ -323,6 +323,10 @@ TEST_F(CompositeTest, ErrorsNameTheField) {
   medium.absorption.y = -1;
   ASSERT_FALSE(validate(medium));
   EXPECT_NE(validate(medium).error().message.find("WaterMedium::absorption[1] is -1"), std::string::npos);
+  medium = {};
+  medium.look.contrast = 0.5f;
+  ASSERT_FALSE(validate(medium));
+  EXPECT_EQ(validate(medium).error().message, "WaterLook::contrast is 0.500000, it must be 1.000000 to 4.000000");
   ToneMapInfo info;
   const auto toneMap = ToneMap::create(device(), info);
   ASSERT_FALSE(toneMap);

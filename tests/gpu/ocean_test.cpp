@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 #include <pelagic/ocean.hpp>
+#include <span>
 
 #include "support/gpu_test.hpp"
 
@@ -162,18 +166,80 @@ TEST_F(OceanTest, TwoRecordedFramesGiveTheSameBitsAsFramesOneByOne) {
   EXPECT_EQ(read(image), together);
 }
 
-TEST_F(OceanTest, TwoViewsOfOneSeaAgree) {
-  const auto first = target();
-  const auto second = target();
-  Ocean ocean = create(smallOcean());
-  OceanView a = createView(ocean, targetsFor(first));
-  OceanView b = createView(ocean, targetsFor(second));
-  gpu().run([&](vk::CommandBuffer commands) {
-    ocean.record(commands, 2);
-    a.record(commands, cameraAt(3));
-    b.record(commands, cameraAt(3));
-  });
-  EXPECT_EQ(read(first), read(second));
+/// What a view leaves: the picture, and all that it knows of the water.
+struct Left {
+  std::vector<float> picture, body, depth, motion;
+  bool operator==(const Left&) const = default;
+};
+
+/// A view: its size and camera, and the image that it draws to.
+struct Shot {
+  VkExtent2D extent;
+  Camera camera;
+  std::optional<common::OwnedImage> image;
+};
+
+class OceanViewsTest : public OceanTest {
+ protected:
+  /// Two frames of a new ocean, seen by all of these views, recorded before the first is submitted.
+  std::vector<Left> draw(const OceanInfo& info, std::span<Shot* const> shots) {
+    Ocean ocean = create(info);
+    std::vector<OceanView> views;
+    for (Shot* shot : shots) {
+      using Usage = vk::ImageUsageFlagBits;
+      shot->image = common::createImage(gpu(), vk::Format::eR32G32B32A32Sfloat, shot->extent,
+                                        Usage::eStorage | Usage::eTransferSrc, "view");
+      views.push_back(createView(ocean, targetsFor(*shot->image)));
+    }
+    const auto pool = gpu().device().createCommandPoolUnique({{}, gpu().queueFamily()});
+    const auto frames = gpu().device().allocateCommandBuffersUnique({*pool, vk::CommandBufferLevel::ePrimary, 2});
+    double time = 2;
+    for (const auto& commands : frames) {
+      commands->begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
+      ocean.record(*commands, time);
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        Camera camera = shots[i]->camera;
+        camera.position.z += time;
+        views[i].record(*commands, camera);
+      }
+      commands->end();
+      time += 0.5;
+    }
+    for (const auto& commands : frames) gpu().queue().submit(vk::SubmitInfo({}, {}, *commands));
+    gpu().queue().waitIdle();
+    std::vector<Left> left;
+    for (std::size_t i = 0; i < views.size(); ++i) left.push_back(leftBy(views[i], *shots[i]->image));
+    return left;
+  }
+
+ private:
+  Left leftBy(const OceanView& view, const common::OwnedImage& image) {
+    const WaterBuffer water = view.waterBuffer();
+    Left left{read(image), common::readFloats(gpu(), water.body), common::readFloats(gpu(), water.depth),
+              common::readFloats(gpu(), water.motion)};
+    for (std::size_t p = 0; p < left.motion.size(); ++p) {
+      if (left.body[p / 2] == 0) left.motion[p] = 0;  // undefined without water
+    }
+    return left;
+  }
+};
+
+TEST_F(OceanViewsTest, ViewsOfOneFrameAreAsDrawnAlone) {
+  OceanInfo info = smallOcean();
+  info.surface.motionVectors = true;
+  info.sky.clouds.cover = 0.3;
+  std::vector<Shot> shots;
+  shots.push_back({kExtent, cameraAt(3), {}});
+  shots.push_back({{97, 61}, cameraAt(0.2, -0.05f), {}});  // among the crests
+  shots.push_back({{64, 80}, cameraAt(20e3, 0.4f), {}});
+  shots.push_back({kExtent, cameraAt(50, 1.5f), {}});
+  shots.back().camera.projection[2] = glm::vec4(0.4f, -0.3f, 0, -1);
+  shots[1].camera.rotation = glm::mat3(glm::rotate(glm::mat4(1), 0.7f, glm::vec3(0, 0, 1))) * shots[1].camera.rotation;
+  const std::vector<Left> together = draw(info, std::array{&shots[0], &shots[1], &shots[2], &shots[3]});
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    EXPECT_EQ(draw(info, std::array{&shots[i]}).front(), together[i]) << "view " << i;
+    EXPECT_NE(std::count(together[i].body.begin(), together[i].body.end(), 1.0f), 0) << "view " << i;
+  }
 }
 
 TEST_F(OceanTest, SettersTakeEffectAndRefuseWhatIsOutOfRange) {

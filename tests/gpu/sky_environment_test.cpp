@@ -69,7 +69,7 @@ class SkyEnvironmentTest : public support::GpuTest {
     shader::SkyLight light, viewLight;
   };
   Sky create(const SkyEnvironment& environment, const SkyState& state = {}) {
-    auto sky = Sky::create(device(), state, environment);
+    auto sky = Sky::create(device(), state, kEarthRadius, environment);
     if (!sky) throw std::runtime_error(sky.error().message);
     return std::move(*sky);
   }
@@ -325,7 +325,7 @@ TEST_F(SkyEnvironmentTest, ErrorsNameFieldValueAndRange) {
   const auto set = own.setEnvironment(good);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().message, "SkyEnvironment::width is 64, it must be 0: Sky::create() was given no picture");
-  EXPECT_FALSE(Sky::create(device(), {}, {4, 2, {}, 1, 0, {}}));
+  EXPECT_FALSE(Sky::create(device(), {}, kEarthRadius, {4, 2, {}, 1, 0, {}}));
 }
 
 }  // namespace

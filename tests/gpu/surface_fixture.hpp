@@ -67,8 +67,9 @@ class SurfaceTest : public support::GpuTest {
     query_->setTime(time);
     maps_ = waves_->maps();
   }
-  void makeView(VkExtent2D extent, float targetEdge, bool motionVectors = false) {
-    auto surface = pelagic::Surface::create(device(), {targetEdge, motionVectors});
+  void makeView(VkExtent2D extent, float targetEdge, bool motionVectors = false,
+                double planetRadius = pelagic::kEarthRadius) {
+    auto surface = pelagic::Surface::create(device(), {targetEdge, motionVectors, planetRadius});
     ASSERT_TRUE(surface) << surface.error().message;
     surface_.emplace(std::move(*surface));
     auto view = pelagic::SurfaceView::create(*surface_, maps_, extent);

@@ -168,9 +168,9 @@ glm::dvec3 ray(const pelagic::Camera& camera, const glm::dvec2& uv) {
   return glm::transpose(glm::dmat3(camera.rotation)) * view;
 }
 
-double hitSphere(const pelagic::Camera& camera, const glm::dvec3& direction, double level) {
-  const double radius = pelagic::kEarthRadius + level;
-  const glm::dvec3 fromCentre(0, pelagic::kEarthRadius + camera.position.y, 0);
+double hitSphere(const pelagic::Camera& camera, const glm::dvec3& direction, double level, double planetRadius) {
+  const double radius = planetRadius + level;
+  const glm::dvec3 fromCentre(0, planetRadius + camera.position.y, 0);
   const double above = camera.position.y - level;
   const double a = glm::dot(direction, direction);
   const double b = glm::dot(direction, fromCentre);

@@ -55,7 +55,8 @@ pelagic::Camera camera(const glm::dvec3& position, double yaw, double pitch, dou
 /// World direction through a point of the picture, (0, 0) … (1, 1), not normalised.
 glm::dvec3 ray(const pelagic::Camera& camera, const glm::dvec2& uv);
 /// Distance in units of `direction` to the sea level sphere raised by `level` [m] below the camera; negative: none.
-double hitSphere(const pelagic::Camera& camera, const glm::dvec3& direction, double level = 0);
+double hitSphere(const pelagic::Camera& camera, const glm::dvec3& direction, double level = 0,
+                 double planetRadius = pelagic::kEarthRadius);
 /// Sea level at a point relative to the camera's foot [m].
 double seaLevel(const glm::dvec2& relative);
 /// Picture coordinates and depth of a point relative to the camera.

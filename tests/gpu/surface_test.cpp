@@ -7,53 +7,6 @@ namespace {
 
 using namespace surface_scene;
 
-TEST_F(SurfaceTest, FlatSeaIsTheSphere) {
-  makeSea({}, {});
-  makeView(kExtent, 8);
-  std::mt19937 random(1);
-  for (int n = 0; n < 240; ++n) {
-    const pelagic::Camera camera = randomCamera(random, 0.3, 20e3, kExtent);
-    const Water water = draw(camera);
-    int holes = 0, excess = 0, wrongDepth = 0, wrongPosition = 0, hits = 0;
-    for (std::uint32_t y = 0; y < kExtent.height; ++y) {
-      for (std::uint32_t x = 0; x < kExtent.width; ++x) {
-        // The rays through the pixel's neighbourhood bound what it may show.
-        int hitting = 0;
-        glm::dvec3 low(1e30), high(-1e30);  // ground x, depth, ground z
-        for (const glm::dvec2 offset :
-             {glm::dvec2(0, 0), glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
-          const glm::dvec3 direction =
-              surface_scene::ray(camera, water.uv(x, y) + offset / glm::dvec2(kExtent.width, kExtent.height));
-          const double distance = surface_scene::hitSphere(camera, direction);
-          if (distance < 0) continue;
-          ++hitting;
-          const glm::dvec3 point = distance * direction;
-          const double depth = std::clamp(surface_scene::project(camera, point).z, 0.0, 1.0);
-          low = glm::min(low, {point.x, depth, point.z});
-          high = glm::max(high, {point.x, depth, point.z});
-        }
-        const bool covered = water.covered(x, y);
-        hits += hitting == 5;
-        holes += hitting == 5 && !covered;
-        excess += hitting == 0 && covered;
-        if (hitting != 5 || !covered) continue;
-        const std::size_t i = water.index(x, y);
-        const double depth = static_cast<double>(water.depth[i]);
-        // Reversed depth is as exact far away as nearby.
-        const double rounding = camera.reversedDepth ? 1e-4 * high.y : 1e-6;
-        wrongDepth += depth < low.y - rounding || depth > high.y + rounding;
-        const glm::dvec2 at(water.position[2 * i], water.position[2 * i + 1]);
-        const double slack = 1e-3 + 1e-5 * glm::length(at);
-        wrongPosition += at.x < low.x - slack || at.x > high.x + slack || at.y < low.z - slack || at.y > high.z + slack;
-      }
-    }
-    EXPECT_EQ(holes, 0) << "camera " << n << " at " << camera.position.y << " m, " << hits << " pixels of water";
-    EXPECT_EQ(excess, 0) << "camera " << n << " at " << camera.position.y << " m";
-    EXPECT_EQ(wrongDepth, 0) << "camera " << n << " at " << camera.position.y << " m";
-    EXPECT_EQ(wrongPosition, 0) << "camera " << n << " at " << camera.position.y << " m";
-  }
-}
-
 TEST_F(SurfaceTest, WavesLeaveNoHole) {
   const Wave wave{2, {8, 3}, 0.9, 0.4};
   makeSea(wave, wave);
@@ -241,6 +194,12 @@ TEST_F(SurfaceTest, BadValuesAreNamed) {
     ASSERT_FALSE(surface) << edge;
     EXPECT_EQ(surface.error().code, pelagic::ErrorCode::invalidArgument);
     EXPECT_NE(surface.error().message.find("SurfaceInfo::targetEdge is "), std::string::npos);
+  }
+  for (const double radius : {0.0, 0.99e5, 1.01e8, -6.4e6, std::nan(""), HUGE_VAL}) {
+    const auto surface = pelagic::Surface::create(device(), {12, false, radius});
+    ASSERT_FALSE(surface) << radius;
+    EXPECT_EQ(surface.error().code, pelagic::ErrorCode::invalidArgument);
+    EXPECT_NE(surface.error().message.find("SurfaceInfo::planetRadius is "), std::string::npos);
   }
   makeView(kExtent, 8);
   for (const VkExtent2D extent : {VkExtent2D{0, 10}, VkExtent2D{10, 0}, VkExtent2D{16385, 10}, VkExtent2D{10, ~0u}}) {

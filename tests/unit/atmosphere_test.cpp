@@ -146,8 +146,11 @@ TEST(Atmosphere, MapParametrisationsInvert) {
 
 TEST(Atmosphere, HorizonDipsByTheCosineLaw) {
   for (const double h : {0.0, 3.0, 200.0, 10e3, 60e3}) {
-    const double dip = std::acos(6371e3 / (6371e3 + h));
-    EXPECT_NEAR(air::horizonElevation(static_cast<float>(h)), -dip, 1e-5 + 1e-6 * dip) << h;
+    for (const double radius : {1e5, 6371e3, 1e8}) {
+      const double dip = std::acos(radius / (radius + h));
+      const auto drawn = air::horizonElevation(static_cast<float>(h), static_cast<float>(radius));
+      EXPECT_NEAR(drawn, -dip, 1e-5 + 1e-6 * dip) << h << " m over " << radius << " m";
+    }
   }
 }
 

@@ -28,6 +28,13 @@ TEST(Optics, WaterLeavingRadiance) {
   EXPECT_LT(most * M_PI, 1);
 }
 
+TEST(Optics, ThinWaterIsLessOpaque) {
+  EXPECT_FLOAT_EQ(physics::tintOpacity(0, 0.2f, 4), 0.2f);
+  EXPECT_FLOAT_EQ(physics::tintOpacity(1, 0.2f, 4), 0.6f);
+  EXPECT_FLOAT_EQ(physics::tintOpacity(4, 0.2f, 4), 1.0f);
+  EXPECT_FLOAT_EQ(physics::tintOpacity(100, 0.2f, 4), 1.0f);
+}
+
 TEST(Optics, EnteringIrradianceLosesWhatTheSurfaceReflects) {
   const double flat = std::pow(0.34 / 2.34, 2);
   EXPECT_NEAR(physics::enteringIrradiance(vec3(1), 1, vec3(0)).x, 1 - flat, 1e-6);
