@@ -20,9 +20,9 @@ struct WaterLook {
     viewAngle     ///< From `deep`, seen straight on, to `shallow`, seen along the wave's face; linear in the angle.
   };
   Law law = Law::medium;
-  glm::vec3 deep{0.005f, 0.030f, 0.080f};
-  glm::vec3 shallow{0.015f, 0.200f, 0.220f};
-  float shallowness = 0.35f;   ///< Of the law deepShallow [1], 0 … 1.
+  glm::vec3 deep{0.004f, 0.022f, 0.055f};
+  glm::vec3 shallow{0.010f, 0.120f, 0.140f};
+  float shallowness = 0.3f;    ///< Of the law deepShallow [1], 0 … 1.
   float leastOpacity = 0.15f;  ///< Of the thinnest water, law thickness [1], 0 … 1.
   float opaqueDepth = 6.0f;    ///< Water as thick as this shows nothing behind it, law thickness [m], 0.01 … 1000.
   /// Factor on the sky's reflected light, 1 … 4, under every law: 1 is Fresnel's; more lifts bright water over dark.

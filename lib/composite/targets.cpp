@@ -48,8 +48,8 @@ std::span<const NamedWaterLook> waterLooks() noexcept {
   static const NamedWaterLook looks[] = {
       {"natural", {}},
       {"turquoise", {.law = Law::deepShallow}},
-      {"glassy", {.law = Law::thickness, .deep = {0.006f, 0.055f, 0.080f}}},
-      {"painted", {.law = Law::viewAngle, .shallow = {0.020f, 0.130f, 0.105f}, .contrast = 1.7f}},
+      {"glassy", {.law = Law::thickness, .deep = {0.004f, 0.026f, 0.042f}}},
+      {"painted", {.law = Law::viewAngle, .shallow = {0.012f, 0.060f, 0.055f}, .contrast = 1.6f}},
   };
   return looks;
 }

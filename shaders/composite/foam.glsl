@@ -60,7 +60,7 @@ Foam foamAt(float freshness, vec2 p, float footprint) {
   foam.cover = min(share * 50.0, 1.0) / (1.0 + exp(-1.702 * clamp(z, -30.0, 30.0)));
   // Thin toward the edges of a patch, and thinner with age.
   float thickness = clamp(0.1 + 2.5 * (pattern.height - level), 0.0, 1.0);
-  foam.albedo = mix(0.4, 0.9, thickness);
+  foam.albedo = mix(0.4, 0.78, thickness);
   return foam;
 }
 
