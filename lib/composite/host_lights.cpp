@@ -1,18 +1,7 @@
-#include <cmath>
-#include <gpu/context.hpp>
+#include <gpu/field.hpp>
 #include <pelagic/composite.hpp>
-#include <sstream>
 
 namespace pelagic {
-namespace {
-
-struct Field {
-  const char* name;
-  double value, low, high;
-  const char* range;
-};
-
-}  // namespace
 
 Result<void> validate(std::span<const HostLight> lights) {
   if (lights.size() > kMostHostLights) {
@@ -22,22 +11,16 @@ Result<void> validate(std::span<const HostLight> lights) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const HostLight& light = lights[i];
     const auto intensity = [&](const char* name, int channel) {
-      return Field{name, light.intensity[channel], 0, 1e12, "0 to 1e12"};
+      return gpu::Field{name, light.intensity[channel], 0, 1e12, "0 to 1e12"};
     };
-    const Field fields[] = {{"position.x", light.position.x, -1e9, 1e9, "-1e9 to 1e9 m"},
-                            {"position.y", light.position.y, 0, 1e5, "0 to 1e5 m"},
-                            {"position.z", light.position.z, -1e9, 1e9, "-1e9 to 1e9 m"},
-                            {"radius", light.radius, 1e-3, 1e4, "1e-3 to 1e4 m"},
-                            intensity("intensity.r", 0),
-                            intensity("intensity.g", 1),
-                            intensity("intensity.b", 2)};
-    for (const Field& field : fields) {
-      // Written so that NaN fails.
-      if (field.value >= field.low && field.value <= field.high) continue;
-      std::ostringstream text;
-      text << "HostLight " << i << "'s " << field.name << " is " << field.value << ", it must be " << field.range;
-      return gpu::reject(text.str());
-    }
+    PELAGIC_CHECK(gpu::check("HostLight " + std::to_string(i) + "'s ",
+                             {{"position.x", light.position.x, -1e9, 1e9, "-1e9 to 1e9 m"},
+                              {"position.y", light.position.y, 0, 1e5, "0 to 1e5 m"},
+                              {"position.z", light.position.z, -1e9, 1e9, "-1e9 to 1e9 m"},
+                              {"radius", light.radius, 1e-3, 1e4, "1e-3 to 1e4 m"},
+                              intensity("intensity.r", 0),
+                              intensity("intensity.g", 1),
+                              intensity("intensity.b", 2)}));
   }
   return {};
 }

@@ -1,5 +1,5 @@
 #include <composite/targets.hpp>
-#include <gpu/context.hpp>
+#include <gpu/field.hpp>
 #include <initializer_list>
 #include <string>
 
@@ -27,20 +27,6 @@ Result<void> checkImage(const HostImage& image, const std::string& name, VkExten
   return {};
 }
 
-Result<void> checkRange(float value, const std::string& name, float low, float high, const std::string& unit) {
-  if (value >= low && value <= high) return {};
-  return gpu::reject(name + " is " + std::to_string(value) + ", it must be " + std::to_string(low) + " to " +
-                     std::to_string(high) + unit);
-}
-
-Result<void> checkRange(const glm::vec3& value, const std::string& name, float low, float high,
-                        const std::string& unit) {
-  for (int i = 0; i < 3; ++i) {
-    PELAGIC_CHECK(checkRange(value[i], name + "[" + std::to_string(i) + "]", low, high, unit));
-  }
-  return {};
-}
-
 }  // namespace
 
 std::span<const NamedWaterLook> waterLooks() noexcept {
@@ -55,15 +41,21 @@ std::span<const NamedWaterLook> waterLooks() noexcept {
 }
 
 Result<void> validate(const WaterMedium& medium) {
-  PELAGIC_CHECK(checkRange(medium.absorption, "WaterMedium::absorption", 1e-4f, 100, " 1/m"));
-  PELAGIC_CHECK(checkRange(medium.backscatter, "WaterMedium::backscatter", 0, 100, " 1/m"));
   const WaterLook& look = medium.look;
-  PELAGIC_CHECK(checkRange(look.deep, "WaterLook::deep", 0, 1, ""));
-  PELAGIC_CHECK(checkRange(look.shallow, "WaterLook::shallow", 0, 1, ""));
-  PELAGIC_CHECK(checkRange(look.shallowness, "WaterLook::shallowness", 0, 1, ""));
-  PELAGIC_CHECK(checkRange(look.leastOpacity, "WaterLook::leastOpacity", 0, 1, ""));
-  PELAGIC_CHECK(checkRange(look.opaqueDepth, "WaterLook::opaqueDepth", 0.01f, 1000, " m"));
-  PELAGIC_CHECK(checkRange(look.contrast, "WaterLook::contrast", 1, 4, ""));
+  for (int i = 0; i < 3; ++i) {
+    const std::string channel{'[', static_cast<char>('0' + i), ']'};
+    PELAGIC_CHECK(
+        gpu::check("WaterMedium::",
+                   {{"absorption" + channel, medium.absorption[i], static_cast<double>(1e-4f), 100, "1e-4 to 100 1/m"},
+                    {"backscatter" + channel, medium.backscatter[i], 0, 100, "0 to 100 1/m"}}));
+    PELAGIC_CHECK(gpu::check("WaterLook::", {{"deep" + channel, look.deep[i], 0, 1, "0 to 1"},
+                                             {"shallow" + channel, look.shallow[i], 0, 1, "0 to 1"}}));
+  }
+  PELAGIC_CHECK(
+      gpu::check("WaterLook::", {{"shallowness", look.shallowness, 0, 1, "0 to 1"},
+                                 {"leastOpacity", look.leastOpacity, 0, 1, "0 to 1"},
+                                 {"opaqueDepth", look.opaqueDepth, static_cast<double>(0.01f), 1000, "0.01 to 1000 m"},
+                                 {"contrast", look.contrast, 1, 4, "1 to 4"}}));
   return {};
 }
 

@@ -1,44 +1,28 @@
 #include <algorithm>
 #include <cmath>
-#include <gpu/context.hpp>
+#include <gpu/field.hpp>
 #include <numbers>
 #include <pelagic/sky.hpp>
-#include <sstream>
 
 namespace pelagic {
-namespace {
-
-struct Field {
-  const char* name;
-  double value, low, high;
-  const char* range;
-};
-
-}  // namespace
 
 Result<void> validate(const SkyState& state) {
   // A float pi/2 is a little above the real one.
   constexpr double kZenith = std::numbers::pi / 2 + 1e-6;
   constexpr double kAny = std::numeric_limits<double>::max();
-  const Field fields[] = {{"sunElevation", state.sunElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
-                          {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
-                          {"overcast", state.overcast, 0, 1, "0 to 1"},
-                          {"haze", state.haze, 0, 20, "0 to 20"},
-                          {"moonElevation", state.moonElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
-                          {"moonAzimuth", state.moonAzimuth, -kAny, kAny, "finite"},
-                          {"moonIlluminated", state.moonIlluminated, 0, 1, "0 to 1"},
-                          {"clouds.cover", state.clouds.cover, 0, 1, "0 to 1"},
-                          {"clouds.base", state.clouds.base, 100, 8000, "100 to 8000 m"},
-                          {"clouds.thickness", state.clouds.thickness, 50, 4000, "50 to 4000 m"},
-                          {"clouds.velocity.x", state.clouds.velocity.x, -100, 100, "-100 to 100 m/s"},
-                          {"clouds.velocity.y", state.clouds.velocity.y, -100, 100, "-100 to 100 m/s"}};
-  for (const Field& field : fields) {
-    // Written so that NaN fails.
-    if (field.value >= field.low && field.value <= field.high) continue;
-    std::ostringstream text;
-    text << "SkyState::" << field.name << " is " << field.value << ", it must be " << field.range;
-    return gpu::reject(text.str());
-  }
+  PELAGIC_CHECK(
+      gpu::check("SkyState::", {{"sunElevation", state.sunElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
+                                {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
+                                {"overcast", state.overcast, 0, 1, "0 to 1"},
+                                {"haze", state.haze, 0, 20, "0 to 20"},
+                                {"moonElevation", state.moonElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
+                                {"moonAzimuth", state.moonAzimuth, -kAny, kAny, "finite"},
+                                {"moonIlluminated", state.moonIlluminated, 0, 1, "0 to 1"},
+                                {"clouds.cover", state.clouds.cover, 0, 1, "0 to 1"},
+                                {"clouds.base", state.clouds.base, 100, 8000, "100 to 8000 m"},
+                                {"clouds.thickness", state.clouds.thickness, 50, 4000, "50 to 4000 m"},
+                                {"clouds.velocity.x", state.clouds.velocity.x, -100, 100, "-100 to 100 m/s"},
+                                {"clouds.velocity.y", state.clouds.velocity.y, -100, 100, "-100 to 100 m/s"}}));
   const glm::dmat3 difference = glm::transpose(state.starsToWorld) * state.starsToWorld - glm::dmat3(1);
   for (int column = 0; column < 3; ++column) {
     // Written so that NaN fails.

@@ -326,7 +326,7 @@ TEST_F(CompositeTest, ErrorsNameTheField) {
   medium = {};
   medium.look.contrast = 0.5f;
   ASSERT_FALSE(validate(medium));
-  EXPECT_EQ(validate(medium).error().message, "WaterLook::contrast is 0.500000, it must be 1.000000 to 4.000000");
+  EXPECT_EQ(validate(medium).error().message, "WaterLook::contrast is 0.5, it must be 1 to 4");
   ToneMapInfo info;
   const auto toneMap = ToneMap::create(device(), info);
   ASSERT_FALSE(toneMap);
