@@ -150,7 +150,7 @@ void drawWater(pelagic::WaterMedium& medium, Changes& changes) {
     changes.water |= slide(backscatter[i], medium.backscatter[i], 0, 100, "%.4f");
   }
   for (const auto& [name, look] : pelagic::waterLooks()) {
-    if (ImGui::RadioButton(std::string(name).c_str(), medium.look.law == look.law)) {
+    if (ImGui::RadioButton(std::string(name).c_str(), medium.look == look)) {
       medium.look = look;
       changes.water = true;
     }

@@ -10,8 +10,8 @@
 namespace pelagic {
 
 /// How the colour of the water is found: from the medium, or by one of three laws that artists use in its place.
-/// Their colours are what a white surface's would be, dimensionless, 0 … 1: radiance is colour/pi times the irradiance
-/// that enters the water, so that they are seen as given under the noon sun and fade to black as it sets.
+/// Their colours are what a white surface's would be, dimensionless, 0 … 1: radiance below the surface is colour/pi
+/// times the irradiance that enters, so that they are seen as given under the noon sun and fade to black as it sets.
 struct WaterLook {
   enum class Law {
     medium,       ///< As WaterMedium's coefficients say; the colours here are not used.
@@ -27,6 +27,7 @@ struct WaterLook {
   float opaqueDepth = 6.0f;    ///< Water as thick as this shows nothing behind it, law thickness [m], 0.01 … 1000.
   /// Factor on the sky's reflected light, 1 … 4, under every law: 1 is Fresnel's; more lifts bright water over dark.
   float contrast = 1.0f;
+  bool operator==(const WaterLook&) const = default;
 };
 /// Looks by name: "natural", which is the default, "turquoise" (law deepShallow), "glassy" (thickness) and "painted"
 /// (viewAngle, with contrast).

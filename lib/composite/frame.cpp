@@ -27,7 +27,7 @@ void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept 
   const WaterLook& look = medium.look;
   const auto set = [&](const glm::vec3& seen, const glm::vec3& other, const auto& transmittance) {
     frame.waterAlbedo = glm::vec4(seen, 0);
-    frame.lookAlbedo = glm::vec4(other, look.law == WaterLook::Law::deepShallow ? look.shallowness : 0);
+    frame.lookAlbedo = glm::vec4(other, 0);
     frame.thinCrest = glm::vec4(transmittance(0.6f), 0);
     frame.thickCrest = glm::vec4(transmittance(3.0f), 0);
   };
@@ -37,12 +37,13 @@ void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept 
   };
   const glm::vec3 deep = look.deep * glm::one_over_pi<float>(), shallow = look.shallow * glm::one_over_pi<float>();
   const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
+  const glm::vec3 between = glm::mix(deep, shallow, look.shallowness);
   switch (look.law) {
     case WaterLook::Law::medium:
       set(albedo, albedo, absorbed);
       break;
     case WaterLook::Law::deepShallow:
-      set(deep, shallow, absorbed);
+      set(between, between, absorbed);
       break;
     case WaterLook::Law::thickness:
       set(deep, deep, tinted);

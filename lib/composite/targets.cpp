@@ -42,6 +42,9 @@ std::span<const NamedWaterLook> waterLooks() noexcept {
 
 Result<void> validate(const WaterMedium& medium) {
   const WaterLook& look = medium.look;
+  if (look.law < WaterLook::Law::medium || look.law > WaterLook::Law::viewAngle) {
+    return gpu::reject("WaterLook::law is " + std::to_string(static_cast<int>(look.law)) + ", it must be 0 to 3");
+  }
   for (int i = 0; i < 3; ++i) {
     const std::string channel{'[', static_cast<char>('0' + i), ']'};
     PELAGIC_CHECK(
@@ -62,6 +65,7 @@ Result<void> validate(const WaterMedium& medium) {
 Result<void> validate(const CompositeTargets& targets, const WaterBuffer& water) {
   const VkExtent2D extent = water.depth.extent;
   const std::string name = "CompositeTargets::";
+  PELAGIC_CHECK(gpu::check("WaterBuffer::", {gpu::planetRadiusField(water.planetRadius)}));
   const auto half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
   const auto float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
   PELAGIC_CHECK(checkImage(targets.output, name + "output", extent, {half4, float4}));

@@ -47,9 +47,9 @@ vk::Extent2D HostPicture::radianceExtent() const noexcept {
 }
 
 void recordHostSky(const gpu::Context& context, vk::CommandBuffer commands, const Step& step, gpu::Image& radiance,
-                   const HostSky& sky) noexcept {
+                   double rotation) noexcept {
   gpu::Barrier().image(radiance, gpu::kComputeStorageWrite, true).record(context, commands);
-  const double turns = sky.rotation / (2 * std::numbers::pi);
+  const double turns = rotation / (2 * std::numbers::pi);
   shader::HostSkyPass push{};
   push.turn = static_cast<float>(turns - std::floor(turns));
   const vk::Extent2D extent = radiance.info().extent;

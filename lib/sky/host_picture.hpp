@@ -27,8 +27,9 @@ class HostPicture {
   gpu::Buffer staging_;
 };
 
-/// Runs `step` of HostPicture::createStep() into `radiance`, which then rests in kShaderRead.
+/// Runs `step` of HostPicture::createStep() into `radiance`, the picture turned by `rotation` [rad]; the map then rests
+/// in kShaderRead.
 void recordHostSky(const gpu::Context& context, vk::CommandBuffer commands, const Step& step, gpu::Image& radiance,
-                   const HostSky& sky) noexcept;
+                   double rotation) noexcept;
 
 }  // namespace pelagic::sky

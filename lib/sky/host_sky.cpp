@@ -52,6 +52,10 @@ Result<void> validate(const SkyEnvironment& environment) {
   if (width == 0 && (height > 0 || !radiance.empty())) {
     return rejectField("width", width, "lie in 4 … 4096 where there is a picture");
   }
+  if (!(scale >= 0 && scale <= 1e6)) return rejectField("scale", scale, "lie in 0 … 1e6");
+  if (!std::isfinite(rotation)) return rejectField("rotation", rotation, "be finite");
+  if (sun) PELAGIC_CHECK(validate(*sun));
+  if (width == 0 && sun) return rejectField("width", width, "lie in 4 … 4096 where a sun is given");
   if (width == 0) return {};
   if (width < 4 || width > kWidest || width % 4 != 0) {
     return rejectField("width", width, "be a multiple of 4 in 4 … 4096, or 0 for no picture");
@@ -61,13 +65,11 @@ Result<void> validate(const SkyEnvironment& environment) {
   if (radiance.size() != count) {
     return rejectField("radiance.size()", radiance.size(), "be width x height, " + std::to_string(count));
   }
-  if (!(scale >= 0 && scale <= 1e6)) return rejectField("scale", scale, "lie in 0 … 1e6");
-  if (!std::isfinite(rotation)) return rejectField("rotation", rotation, "be finite");
   for (std::size_t i = 0; i < count; ++i) {
     if (inRange(radiance[i])) continue;
     return rejectField("radiance[" + std::to_string(i) + "]", textOf(radiance[i]), "lie in 0 … 1e9 in each channel");
   }
-  return sun ? validate(*sun) : Result<void>{};
+  return {};
 }
 
 namespace sky {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <gpu/field.hpp>
 #include <numbers>
 #include <sky/sky_impl.hpp>
 
@@ -193,7 +194,7 @@ void Sky::Impl::recordHost(vk::CommandBuffer commands, Timings* timings) noexcep
   if (timings) timings->begin(commands, "sky radiance");
   if (hostChanged) hostPicture.upload(*context, commands, hostSky);
   hostChanged = false;
-  sky::recordHostSky(*context, commands, hostStep, radiance, hostSky);
+  sky::recordHostSky(*context, commands, hostStep, radiance, hostSky.rotation);
   const shader::SkyLight block = sky::hostLight(hostSky, state.haze);
   gpu::Barrier().buffer(light, gpu::kTransferWrite).record(*context, commands);
   commands.updateBuffer(light.handle(), 0, sizeof(block), &block, context->dispatch);
@@ -225,9 +226,7 @@ Sky::~Sky() = default;
 Result<Sky> Sky::create(Device& device, const SkyState& state, double planetRadius, const SkyEnvironment& environment) {
   PELAGIC_CHECK(validate(state));
   PELAGIC_CHECK(validate(environment));
-  if (!(planetRadius >= 1e5 && planetRadius <= 1e8)) {
-    return gpu::reject("Sky's planetRadius is " + std::to_string(planetRadius) + " m, it must lie within 1e5 and 1e8");
-  }
+  PELAGIC_CHECK(gpu::check("Sky's ", {gpu::planetRadiusField(planetRadius)}));
   auto impl = std::make_unique<Impl>();
   impl->context = &device.context();
   impl->state = state;
@@ -270,6 +269,7 @@ Result<void> Sky::setEnvironment(const SkyEnvironment& environment) {
 
 void Sky::record(VkCommandBuffer commands, double time, Timings* timings) noexcept {
   impl_->time = time;
+  impl_->recorded = {impl_->state, impl_->hosted(), impl_->hostSky.rotation};
   if (!impl_->changed) return;
   if (impl_->hosted()) {
     impl_->recordHost(commands, timings);

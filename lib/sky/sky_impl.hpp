@@ -44,6 +44,12 @@ struct Sky::Impl {
   sky::HostSky hostSky;       ///< Shown instead, where it has a width.
   bool hostChanged = true;
   std::uint64_t version = 0;  ///< Counts the states that were recorded.
+  /// What was recorded last: views follow it, whatever has been set since.
+  struct Recorded {
+    SkyState state;
+    bool hosted = false;
+    double rotation = 0;  ///< Of the host's picture [rad].
+  } recorded;
   gpu::Image transmittance, clear, moonlit, radiance;
   gpu::Buffer scattering, light;
   gpu::Unique<vk::Sampler> clamped, turning, repeat, repeatEverywhere;
@@ -54,7 +60,7 @@ struct Sky::Impl {
   sky::Step hostStep;
 
   bool hosted() const noexcept { return hostSky.width > 0; }
-  double cloudCover() const noexcept { return hosted() ? 0 : state.clouds.cover; }
+  double cloudCover() const noexcept { return recorded.hosted ? 0 : recorded.state.clouds.cover; }
   bool cloudy() const noexcept { return cloudCover() > 0; }
   Result<void> createResources();
   Result<void> createSteps();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gpu/field.hpp>
+#include <limits>
 #include <numbers>
 #include <pelagic/sky.hpp>
 

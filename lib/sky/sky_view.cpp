@@ -136,7 +136,7 @@ Result<void> SkyView::Impl::createClouds() {
 }
 
 shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept {
-  const CloudLayer& layer = sky->state.clouds;
+  const CloudLayer& layer = sky->recorded.state.clouds;
   const PixelRays rays = pixelRays(camera, extent);
   constexpr double kPixels = shader::kCloudPixels, kTile = static_cast<double>(shader::kCloudTile);
   shader::CloudView view{};
@@ -155,7 +155,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
 }
 
 void SkyView::Impl::recordAir(vk::CommandBuffer commands) noexcept {
-  const shader::SkyPass push = sky::passOf(sky->state, sky->planetRadius, altitude, shader::kAirRows);
+  const shader::SkyPass push = sky::passOf(sky->recorded.state, sky->planetRadius, altitude, shader::kAirRows);
   gpu::Barrier barrier;
   barrier.image(clear, gpu::kComputeStorageWrite, true)
       .image(radiance, gpu::kComputeStorageWrite, true)
@@ -204,9 +204,11 @@ void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timing
     pass();
     if (timings) timings->end(commandBuffer);
   };
-  if (view.sky->hosted()) {
+  if (view.sky->recorded.hosted) {
     // The same from every altitude.
-    const auto show = [&] { sky::recordHostSky(context, commands, view.hostStep, view.radiance, view.sky->hostSky); };
+    const auto show = [&] {
+      sky::recordHostSky(context, commands, view.hostStep, view.radiance, view.sky->recorded.rotation);
+    };
     if (changed) measured("sky view", show);
   } else if (moved) {
     measured("sky view", [&] { view.recordAir(commands); });

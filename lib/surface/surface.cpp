@@ -1,5 +1,6 @@
 #include <surface/surface_frame.h>
 #include <cstring>
+#include <gpu/field.hpp>
 #include <surface/surface_impl.hpp>
 #include <surface_frag.spv.hpp>
 #include <surface_motion_frag.spv.hpp>
@@ -135,10 +136,7 @@ Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
     return gpu::reject("SurfaceInfo::targetEdge is " + std::to_string(info.targetEdge) +
                        " px, it must lie within 2 and 64");
   }
-  if (!(info.planetRadius >= 1e5 && info.planetRadius <= 1e8)) {
-    return gpu::reject("SurfaceInfo::planetRadius is " + std::to_string(info.planetRadius) +
-                       " m, it must lie within 1e5 and 1e8");
-  }
+  PELAGIC_CHECK(gpu::check("SurfaceInfo::", {gpu::planetRadiusField(info.planetRadius)}));
   gpu::Context& context = device.context();
   auto impl = std::make_unique<Impl>();
   impl->context = &context;

@@ -97,6 +97,6 @@ void main() {
   uint cascades = cascadesToSample(footprintSide(water.distance * frame.waterAlbedo.w, view));
   // Clouds hide the sea from an eye above them.
   bool veiled = kHasClouds && frame.absorption.w > light.cloudPlace.w;
-  if (veiled) foaming = max(foaming, 1u);
+  if (veiled) foaming = max(foaming, 1u);  // its pipeline samples one at least
   append(veiled ? kVeiledTiles : foaming == 0u ? kWaterTiles : kFoamTiles, tile, cascades | foaming << 8);
 }

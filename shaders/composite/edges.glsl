@@ -1,6 +1,6 @@
 // Where the surface seen breaks off between one pixel and the next: at the outline of a wave, before the sky or before water
-// farther off. The passes that shade leave it in alpha of a picture of such
-// pixels, which else is 0, and the last pass smooths the stairs along it.
+// farther off. The passes that shade leave it in alpha of a picture of such pixels, which else is 0, and the last pass smooths
+// the stairs along it.
 #ifndef PELAGIC_COMPOSITE_EDGES_GLSL
 #define PELAGIC_COMPOSITE_EDGES_GLSL
 #include "composite/bindings.glsl"

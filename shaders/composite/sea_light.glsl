@@ -57,7 +57,7 @@ vec3 bodyLight(SeaPoint sea, vec3 v, vec3 l, vec3 entering, vec3 behind) {
   float against = clamp(-dot(v.xz, l.xz) * inversesqrt(max(dot(v.xz, v.xz), 1e-6)), 0.0, 1.0);
   vec3 through = mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
   float angle = acos(clamp(dot(v, sea.normal), 0.0, 1.0)) / (0.5 * kPi);
-  vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.lookAlbedo.w + frame.planet.y * angle);
+  vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.planet.y * angle);
   return albedo * entering * (1.0 - frame.planet.w * sharp * against * through) + behind * (0.35 * sharp * against) * through;
 }
 
@@ -79,7 +79,7 @@ vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, vec3 l, vec3 irradianc
 // horizon beyond the point.
 vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec3 horizon) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
-  entering += enteringIrradiance(sunlight, light.sunDirection.y, light.skyIrradiance.rgb);
+  entering += enteringIrradiance(sunlight, l.y, light.skyIrradiance.rgb);
 
   float perHorizontal = inversesqrt(max(dot(v.xz, v.xz), 1e-6));
   float deviation = seen.deviation * perHorizontal * sea.normal.y;

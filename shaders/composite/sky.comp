@@ -17,7 +17,10 @@ void main() {
   vec4 clouds = cloudsBefore(tile.pixel);
   float pixelSize = frame.waterAlbedo.w * inverseLength;
   vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, pixelSize);
-  if (kNight) radiance += moonDisc(d, pixelSize) + starLight(d, pixelSize);
+  if (kNight) {
+    radiance += moonDisc(d, pixelSize);
+    if (light.skyIrradiance.w > 1.0) radiance += starLight(d, pixelSize);
+  }
   radiance = radiance * clouds.a + clouds.rgb;
   if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
   writeRadiance(tile.pixel, radiance);

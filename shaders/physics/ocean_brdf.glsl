@@ -166,7 +166,7 @@ PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope,
 // tails, which grazing views of large discs would see as light.
 PELAGIC_FORMULA float discReflectionBound(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c, vec3 disc) {
   vec2 away = slope - mean;
-  float nearer = max(1.0f - 2.0f * sqrt(covarianceAlong(disc, away)) / max(dot(away, away), 1e-12f), 0.0f);
+  float nearer = max(1.0f - 2.0f * sqrt(max(covarianceAlong(disc, away), 0.0f)) / max(dot(away, away), 1e-12f), 0.0f);
   return sunReflection(seen, lit, mean + nearer * away, mean, c);
 }
 

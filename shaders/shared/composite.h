@@ -42,7 +42,7 @@ struct CompositeFrame {
   vec4 thinCrest;    // transmittance of the thinnest and; w: how far old foam gathers in streaks, 0 ... 1
   vec4 thickCrest;   // of the thickest crest that light comes through; w: elevation of the eye's horizon [rad]
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
-  vec4 lookAlbedo;   // the same that the look turns to; w: share of it everywhere
+  vec4 lookAlbedo;   // the same that the look turns to
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   vec4 planet;  // x: its radius [m]. Of the look, y: share that grows with the angle of view, z: factor on the sky's
                 // reflected light, w: 1 where thin crests hide the water's colour

@@ -12,7 +12,7 @@ layout(binding = 1) uniform writeonly image2D radiance;
 
 // A thirtieth of a turn and of the way to the zenith, so that no mast on the horizon streaks the sea below.
 const vec2 kAirSpan = vec2(0.033);
-const ivec2 kAirTaps = ivec2(8, 2);
+const ivec2 kAirTaps = ivec2(68, 2);  // as many as the widest picture has there
 
 // Mean between two corners; a bilinear tap is as good as two by two pixels.
 vec3 meanBetween(vec2 low, vec2 high, ivec2 most) {

@@ -18,7 +18,6 @@ TEST_F(CompositePlanetTest, VerticalsTurnAroundThePlanet) {
     scene.fillWater(20);
     const glm::vec2 place(0, -2e5 * std::sin(ahead));
     std::fill(scene.position.begin(), scene.position.end(), place);
-    scene.medium.backscatter = glm::vec3(0);  // what comes out of the water goes by the sun over the eye
     // A low sun ahead over rough water, so that its glitter shows where it stands.
     const double height = 0.7 - ahead;
     scene.light.sunDirection = glm::vec4(glm::dvec4(0, std::sin(height), -std::cos(height), 1 - 1e-5));

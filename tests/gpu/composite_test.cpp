@@ -327,6 +327,10 @@ TEST_F(CompositeTest, ErrorsNameTheField) {
   medium.look.contrast = 0.5f;
   ASSERT_FALSE(validate(medium));
   EXPECT_EQ(validate(medium).error().message, "WaterLook::contrast is 0.5, it must be 1 to 4");
+  medium = {};
+  medium.look.law = static_cast<WaterLook::Law>(7);
+  ASSERT_FALSE(validate(medium));
+  EXPECT_EQ(validate(medium).error().message, "WaterLook::law is 7, it must be 0 to 3");
   ToneMapInfo info;
   const auto toneMap = ToneMap::create(device(), info);
   ASSERT_FALSE(toneMap);

@@ -286,6 +286,25 @@ TEST_F(SkyEnvironmentTest, PelagicsOwnSkyComesBack) {
   }
 }
 
+/// Also where it was set between the two: then the maps of what is set have never been written.
+TEST_F(SkyEnvironmentTest, ViewsFollowWhatWasRecordedLast) {
+  const SkyEnvironment even = pictureOf([](double, double) { return glm::dvec3(0.5); }, 64);
+  Sky sky = create(even);
+  auto view = SkyView::create(sky, {64, 64}).value();
+  draw(sky, view, 5);
+  ASSERT_TRUE(sky.setEnvironment({}));
+  Camera camera;
+  camera.position.y = 4000;
+  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, camera); });
+  EXPECT_NEAR(read(view.maps().radiance).at(9, 200).g, 0.5, 1e-3);
+  const glm::dvec3 own = draw(sky, view, 4000).view.at(9, 200);
+  EXPECT_GT(std::abs(own.g - 0.5), 0.1);
+  ASSERT_TRUE(sky.setEnvironment(even));
+  camera.position.y = 4001;
+  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, camera); });
+  EXPECT_NEAR(read(view.maps().radiance).at(9, 200).g, own.g, 1e-3);
+}
+
 TEST_F(SkyEnvironmentTest, ErrorsNameFieldValueAndRange) {
   const SkyEnvironment good = pictureOf([](double, double) { return glm::dvec3(1); }, 64);
   Sky sky = create(good);
