@@ -11,6 +11,8 @@ namespace pelagic {
 
 /// Mean radius of the Earth [m].
 inline constexpr double kEarthRadius = shader::kEarthRadius;
+/// A planet's radius may be [m].
+inline constexpr double kLeastPlanetRadius = 1e5, kMostPlanetRadius = 1e8;
 
 /// World space is right-handed, y up, metres. The still water is y = 0 below the camera and falls away with the
 /// planet's curvature (SurfaceInfo::planetRadius).

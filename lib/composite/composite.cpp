@@ -358,21 +358,19 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
                                    gpu::groups(extent.height, 8 * shader::kTileSize));
     gpu::Barrier().buffer(view.tiles, kComputeReadIndirect).record(*view.context, commands);
   });
-  const bool lit = !view.composite->lights.empty();
-  const auto shade = [&](std::uint32_t list) {
-    const bool water = list != shader::kSkyTiles && list != shader::kNightTiles;
-    const gpu::ComputePass& pass = lit && water ? (*view.passes->lit)[list] : view.passes->shade[list];
-    pass.bind(commands, view.set);
-    pass.dispatchIndirect(commands, view.tiles.handle(), list * 4 * sizeof(std::uint32_t));
+  const auto shade = [&](const TilePasses& passes, std::uint32_t list) {
+    passes[list].bind(commands, view.set);
+    passes[list].dispatchIndirect(commands, view.tiles.handle(), list * 4 * sizeof(std::uint32_t));
   };
   measured("composite sky", [&] {
-    shade(shader::kSkyTiles);
-    shade(shader::kNightTiles);
+    shade(view.passes->shade, shader::kSkyTiles);
+    shade(view.passes->shade, shader::kNightTiles);
   });
   measured("composite water", [&] {
-    shade(shader::kWaterTiles);
-    shade(shader::kFoamTiles);
-    shade(shader::kVeiledTiles);
+    const TilePasses& water = view.composite->lights.empty() ? view.passes->shade : *view.passes->lit;
+    shade(water, shader::kWaterTiles);
+    shade(water, shader::kFoamTiles);
+    shade(water, shader::kVeiledTiles);
   });
   measured("composite resolve", [&] {
     gpu::Barrier barrier;

@@ -25,36 +25,22 @@ void setRays(const Camera& camera, VkExtent2D extent, shader::CompositeFrame& fr
 /// The water's colour. Crests of 0.6 to 3 m let light through.
 void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept {
   const WaterLook& look = medium.look;
-  const auto set = [&](const glm::vec3& seen, const glm::vec3& other, const auto& transmittance) {
-    frame.waterAlbedo = glm::vec4(seen, 0);
-    frame.lookAlbedo = glm::vec4(other, 0);
-    frame.thinCrest = glm::vec4(transmittance(0.6f), 0);
-    frame.thickCrest = glm::vec4(transmittance(3.0f), 0);
-  };
-  const auto absorbed = [&](float thickness) { return glm::exp(-thickness * medium.absorption); };
-  const auto tinted = [&](float thickness) {
-    return glm::vec3(1 - physics::tintOpacity(thickness, look.leastOpacity, look.opaqueDepth));
-  };
   const glm::vec3 deep = look.deep * glm::one_over_pi<float>(), shallow = look.shallow * glm::one_over_pi<float>();
-  const glm::vec3 albedo = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
-  const glm::vec3 between = glm::mix(deep, shallow, look.shallowness);
-  switch (look.law) {
-    case WaterLook::Law::medium:
-      set(albedo, albedo, absorbed);
-      break;
-    case WaterLook::Law::deepShallow:
-      set(between, between, absorbed);
-      break;
-    case WaterLook::Law::thickness:
-      set(deep, deep, tinted);
-      break;
-    case WaterLook::Law::viewAngle:
-      set(deep, shallow, absorbed);
-      break;
-  }
-  frame.planet.y = look.law == WaterLook::Law::viewAngle ? 1 : 0;
-  frame.planet.z = look.contrast;
-  frame.planet.w = look.law == WaterLook::Law::thickness ? 1 : 0;
+  const glm::vec3 natural = physics::waterLeaving(physics::deepReflectance(medium.absorption, medium.backscatter));
+  const bool byAngle = look.law == WaterLook::Law::viewAngle, byThickness = look.law == WaterLook::Law::thickness;
+  const glm::vec3 albedo = look.law == WaterLook::Law::medium        ? natural
+                           : look.law == WaterLook::Law::deepShallow ? glm::mix(deep, shallow, look.shallowness)
+                                                                     : deep;
+  frame.waterAlbedo = glm::vec4(albedo, 0);
+  frame.lookAlbedo = glm::vec4(shallow, byAngle ? 1 : 0);
+  const auto transmittance = [&](float thickness) {
+    return byThickness ? glm::vec3(1 - physics::tintOpacity(thickness, look.leastOpacity, look.opaqueDepth))
+                       : glm::exp(-thickness * medium.absorption);
+  };
+  frame.thinCrest = glm::vec4(transmittance(0.6f), 0);
+  frame.thickCrest = glm::vec4(transmittance(3.0f), 0);
+  frame.skyContrast = look.contrast;
+  frame.crestsHide = byThickness ? 1 : 0;
 }
 
 }  // namespace
@@ -84,7 +70,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
     frame.hostLightIntensity[frame.hostLights] = glm::vec4(light.intensity, 0);
     ++frame.hostLights;
   }
-  frame.planet.x = radius;
+  frame.planetRadius = radius;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

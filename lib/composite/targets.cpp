@@ -65,7 +65,8 @@ Result<void> validate(const WaterMedium& medium) {
 Result<void> validate(const CompositeTargets& targets, const WaterBuffer& water) {
   const VkExtent2D extent = water.depth.extent;
   const std::string name = "CompositeTargets::";
-  PELAGIC_CHECK(gpu::check("WaterBuffer::", {gpu::planetRadiusField(water.planetRadius)}));
+  PELAGIC_CHECK(gpu::check(
+      "WaterBuffer::", {{"planetRadius", water.planetRadius, kLeastPlanetRadius, kMostPlanetRadius, "1e5 to 1e8 m"}}));
   const auto half4 = VK_FORMAT_R16G16B16A16_SFLOAT;
   const auto float4 = VK_FORMAT_R32G32B32A32_SFLOAT;
   PELAGIC_CHECK(checkImage(targets.output, name + "output", extent, {half4, float4}));

@@ -14,9 +14,6 @@ struct Field {
   const char* range;  ///< In words, with the unit.
 };
 
-/// Radius of the planet at sea level [m].
-inline Field planetRadiusField(double radius) { return {"planetRadius", radius, 1e5, 1e8, "1e5 to 1e8 m"}; }
-
 /// Names the first field that does not lie in its range, with `owner` before it.
 inline Result<void> check(const std::string& owner, std::initializer_list<Field> fields) {
   for (const Field& field : fields) {

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <gpu/context.hpp>
+#include <gpu/field.hpp>
+#include <limits>
 #include <numbers>
 #include <sky/host_sky.hpp>
 #include <sky/sky_impl.hpp>
@@ -15,11 +16,13 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr float kBrightest = 1e9f;
 constexpr std::uint32_t kWidest = 4096;
+constexpr double kAny = std::numeric_limits<double>::max();
+constexpr char kOwner[] = "SkyEnvironment::";
 
 template <class T>
 tl::unexpected<Error> rejectField(const std::string& field, const T& value, const std::string& range) {
   std::ostringstream text;
-  text << "SkyEnvironment::" << field << " is " << value << ", it must " << range;
+  text << kOwner << field << " is " << value << ", it must " << range;
   return gpu::reject(text.str());
 }
 
@@ -35,10 +38,8 @@ bool inRange(const glm::vec3& c) {
 }
 
 Result<void> validate(const EnvironmentSun& sun) {
-  if (!(sun.elevation >= 0 && sun.elevation <= kPi / 2 + 1e-6)) {
-    return rejectField("sun.elevation", sun.elevation, "lie in 0 … pi/2");
-  }
-  if (!std::isfinite(sun.azimuth)) return rejectField("sun.azimuth", sun.azimuth, "be finite");
+  PELAGIC_CHECK(gpu::check(kOwner, {{"sun.elevation", sun.elevation, 0, kPi / 2 + 1e-6, "0 to pi/2"},
+                                    {"sun.azimuth", sun.azimuth, -kAny, kAny, "finite"}}));
   if (!inRange(sun.irradiance)) {
     return rejectField("sun.irradiance", textOf(sun.irradiance), "lie in 0 … 1e9 in each channel");
   }
@@ -52,8 +53,8 @@ Result<void> validate(const SkyEnvironment& environment) {
   if (width == 0 && (height > 0 || !radiance.empty())) {
     return rejectField("width", width, "lie in 4 … 4096 where there is a picture");
   }
-  if (!(scale >= 0 && scale <= 1e6)) return rejectField("scale", scale, "lie in 0 … 1e6");
-  if (!std::isfinite(rotation)) return rejectField("rotation", rotation, "be finite");
+  PELAGIC_CHECK(
+      gpu::check(kOwner, {{"scale", scale, 0, 1e6, "0 to 1e6"}, {"rotation", rotation, -kAny, kAny, "finite"}}));
   if (sun) PELAGIC_CHECK(validate(*sun));
   if (width == 0 && sun) return rejectField("width", width, "lie in 4 … 4096 where a sun is given");
   if (width == 0) return {};

@@ -226,7 +226,8 @@ Sky::~Sky() = default;
 Result<Sky> Sky::create(Device& device, const SkyState& state, double planetRadius, const SkyEnvironment& environment) {
   PELAGIC_CHECK(validate(state));
   PELAGIC_CHECK(validate(environment));
-  PELAGIC_CHECK(gpu::check("Sky's ", {gpu::planetRadiusField(planetRadius)}));
+  PELAGIC_CHECK(
+      gpu::check("Sky's ", {{"planetRadius", planetRadius, kLeastPlanetRadius, kMostPlanetRadius, "1e5 to 1e8 m"}}));
   auto impl = std::make_unique<Impl>();
   impl->context = &device.context();
   impl->state = state;

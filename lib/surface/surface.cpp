@@ -132,11 +132,9 @@ Surface& Surface::operator=(Surface&&) noexcept = default;
 Surface::~Surface() = default;
 
 Result<Surface> Surface::create(Device& device, const SurfaceInfo& info) {
-  if (!(info.targetEdge >= 2 && info.targetEdge <= 64)) {
-    return gpu::reject("SurfaceInfo::targetEdge is " + std::to_string(info.targetEdge) +
-                       " px, it must lie within 2 and 64");
-  }
-  PELAGIC_CHECK(gpu::check("SurfaceInfo::", {gpu::planetRadiusField(info.planetRadius)}));
+  PELAGIC_CHECK(gpu::check(
+      "SurfaceInfo::", {{"targetEdge", info.targetEdge, 2, 64, "2 to 64 px"},
+                        {"planetRadius", info.planetRadius, kLeastPlanetRadius, kMostPlanetRadius, "1e5 to 1e8 m"}}));
   gpu::Context& context = device.context();
   auto impl = std::make_unique<Impl>();
   impl->context = &context;

@@ -57,8 +57,8 @@ vec3 bodyLight(SeaPoint sea, vec3 v, vec3 l, vec3 entering, vec3 behind) {
   float against = clamp(-dot(v.xz, l.xz) * inversesqrt(max(dot(v.xz, v.xz), 1e-6)), 0.0, 1.0);
   vec3 through = mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
   float angle = acos(clamp(dot(v, sea.normal), 0.0, 1.0)) / (0.5 * kPi);
-  vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.planet.y * angle);
-  return albedo * entering * (1.0 - frame.planet.w * sharp * against * through) + behind * (0.35 * sharp * against) * through;
+  vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.lookAlbedo.w * angle);
+  return albedo * entering * (1.0 - frame.crestsHide * sharp * against * through) + behind * (0.35 * sharp * against) * through;
 }
 
 // What the sea mirrors of a disc of the angular radius `radius` [rad] around l that shines with `irradiance` on a plane facing
@@ -97,7 +97,7 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
   vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, 0.45), sky, above);
 
   vec3 sun = mirroredLight(sea, seen, v, l, sunlight, kSunAngularRadius, light.sunRadiance.rgb, false);
-  return fresnel * frame.planet.z * reflected + sun + (1.0 - fresnel) * bodyLight(sea, v, l, entering, horizon);
+  return fresnel * frame.skyContrast * reflected + sun + (1.0 - fresnel) * bodyLight(sea, v, l, entering, horizon);
 }
 
 #endif

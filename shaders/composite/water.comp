@@ -27,7 +27,7 @@ float sunThroughClouds(vec2 p, float side) {
 // A direction in the level frame of a point that lies p [m] from the eye: the planet's curvature tilts the vertical by the
 // angle whose sine is the length of p over the radius.
 vec3 levelled(vec3 d, vec2 p) {
-  vec2 tilt = p / frame.planet.x;
+  vec2 tilt = p / frame.planetRadius;
   float cosine = sqrt(max(1.0 - dot(tilt, tilt), 0.0));
   float along = dot(d.xz, tilt);
   return vec3(d.xz - tilt * (d.y + along / (1.0 + cosine)), d.y * cosine + along).xzy;

@@ -42,19 +42,18 @@ struct CompositeFrame {
   vec4 thinCrest;    // transmittance of the thinnest and; w: how far old foam gathers in streaks, 0 ... 1
   vec4 thickCrest;   // of the thickest crest that light comes through; w: elevation of the eye's horizon [rad]
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
-  vec4 lookAlbedo;   // the same that the look turns to
+  vec4 lookAlbedo;   // the same that the look turns to; w: how far with the angle of view
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
-  vec4 planet;  // x: its radius [m]. Of the look, y: share that grows with the angle of view, z: factor on the sky's
-                // reflected light, w: 1 where thin crests hide the water's colour
-  uint width;   // of the view [px]
+  uint width;        // of the view [px]
   uint height;
   uint tiles;                                // capacity of each list
   float nearer;                              // 1: greater depth is nearer, -1: less is
   vec4 hostLightPlace[kMostHostLights];      // from the eye [m]; w: radius [m]
   vec4 hostLightIntensity[kMostHostLights];  // rgb [m^2]
   uint hostLights;                           // that there are
-  uint padding1;
-  vec2 padding2;
+  float planetRadius;                        // at sea level [m]
+  float skyContrast;                         // factor on the sky's reflected light
+  float crestsHide;                          // 1: thin crests hide the water's colour, 0: not
 };
 
 PELAGIC_SHADER_END

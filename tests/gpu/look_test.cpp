@@ -35,6 +35,8 @@ class LookTest : public support::GpuTest {
       }
     }
   }
+  /// What a white surface below the water would send up, times `colour`.
+  double shown(double colour, int channel) const { return colour / std::numbers::pi * entering(channel); }
   double sky(int channel) const { return scene_->sky[static_cast<std::size_t>(channel)]; }
   /// Irradiance of the even sky that enters the water.
   double entering(int channel) const { return std::numbers::pi * sky(channel) * (1 - physics::kDiffuseReflectance); }
@@ -48,9 +50,7 @@ TEST_F(LookTest, DeepAndShallowMixByShallowness) {
   look.deep = {0.1f, 0.2f, 0.3f};
   look.shallow = {0.5f, 0.4f, 0.9f};
   look.shallowness = 0.25f;
-  expectBody(1, [&](const glm::dvec3&, int i) {
-    return (0.75 * look.deep[i] + 0.25 * look.shallow[i]) / std::numbers::pi * entering(i);
-  });
+  expectBody(1, [&](const glm::dvec3&, int i) { return shown(0.75 * look.deep[i] + 0.25 * look.shallow[i], i); });
 }
 
 TEST_F(LookTest, ColourGoesByTheAngleOfView) {
@@ -61,7 +61,7 @@ TEST_F(LookTest, ColourGoesByTheAngleOfView) {
   look.contrast = 2.5f;
   expectBody(2.5, [&](const glm::dvec3& v, int i) {
     const double angle = std::acos(v.y) / (std::numbers::pi / 2);
-    return ((1 - angle) * look.deep[i] + angle * look.shallow[i]) / std::numbers::pi * entering(i);
+    return shown((1 - angle) * look.deep[i] + angle * look.shallow[i], i);
   });
 }
 
@@ -79,8 +79,7 @@ TEST_F(LookTest, ThinCrestsAgainstTheLightAreLessOpaque) {
   const glm::dvec3 l(scene_->light.sunDirection);
   expectBody(1, [&](const glm::dvec3& v, int i) {
     const double against = std::max(-(v.x * l.x + v.z * l.z) / std::hypot(v.x, v.z), 0.0);
-    const double body = look.deep[i] / std::numbers::pi * entering(i) * (1 - against * (1 - opacity));
-    return body + 0.35 * against * sky(i) * (1 - opacity);
+    return shown(look.deep[i], i) * (1 - against * (1 - opacity)) + 0.35 * against * sky(i) * (1 - opacity);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <pelagic/sky.hpp>
 
 #include "composite_support.hpp"
+#include "sky_fixture.hpp"
 
 namespace {
 
@@ -49,54 +50,28 @@ glm::dvec3 irradianceOf(const SkyEnvironment& picture) {
   return picture.scale * sum;
 }
 
-class SkyEnvironmentTest : public support::GpuTest {
+using Map = support::SkyMap;
+
+class SkyEnvironmentTest : public support::SkyFixture {
  protected:
-  struct Map {
-    std::vector<float> texels;
-    int width = 0, height = 0;
-    glm::dvec3 at(int x, int y) const {
-      const float* p = &texels[4 * static_cast<std::size_t>(y * width + x)];
-      return {p[0], p[1], p[2]};
-    }
-    /// The nearest texel of a radiance map, rows counted from the horizon.
-    glm::dvec3 toward(double azimuth, double elevation) const {
-      const double turns = azimuth / (2 * kPi), row = 0.5 + 0.5 * std::sqrt(elevation / (kPi / 2));
-      return at(static_cast<int>((turns - std::floor(turns)) * width), static_cast<int>(row * height));
-    }
-  };
   struct Picture {
     Map radiance, environment, view;
     shader::SkyLight light, viewLight;
   };
   Sky create(const SkyEnvironment& environment, const SkyState& state = {}) {
-    auto sky = Sky::create(device(), state, kEarthRadius, environment);
-    if (!sky) throw std::runtime_error(sky.error().message);
-    return std::move(*sky);
-  }
-  Map read(const MapView& map) {
-    return {common::readFloats(gpu(), map), static_cast<int>(map.extent.width), static_cast<int>(map.extent.height)};
-  }
-  shader::SkyLight light(const SkyMaps& maps) {
-    shader::SkyLight block;
-    const auto bytes = common::readBuffer(gpu(), maps.light, maps.lightSize);
-    std::memcpy(&block, bytes.data(), sizeof(block));
-    return block;
+    return createSky(state, kEarthRadius, environment);
   }
   Picture draw(Sky& sky, SkyView& view, double altitude = 5) {
-    Camera camera;
-    camera.position = {0, altitude, 0};
-    camera.projection = glm::mat4(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0);
     gpu().run([&](vk::CommandBuffer commands) {
       sky.record(commands, 0);
-      view.record(commands, camera);
+      view.record(commands, cameraAt(altitude));
     });
     return {read(sky.maps().radiance), read(sky.maps().environment), read(view.maps().radiance), light(sky.maps()),
             light(view.maps())};
   }
   Picture draw(Sky& sky, double altitude = 5) {
-    auto view = SkyView::create(sky, {64, 64});
-    if (!view) throw std::runtime_error(view.error().message);
-    return draw(sky, *view, altitude);
+    SkyView view = createView(sky);
+    return draw(sky, view, altitude);
   }
 };
 
@@ -250,7 +225,7 @@ TEST_F(SkyEnvironmentTest, OfTheStateTheHazeAloneCounts) {
   state.clouds.cover = 0.6;
   state.overcast = 0.3;
   Sky sky = create(pictureOf([](double a, double) { return glm::dvec3(1.5 + std::cos(a)); }), state);
-  auto view = SkyView::create(sky, {64, 64}).value();
+  auto view = createView(sky);
   const Picture first = draw(sky, view);
   state.sunElevation = -0.4;
   state.moonElevation = 0.5;
@@ -268,11 +243,11 @@ TEST_F(SkyEnvironmentTest, PelagicsOwnSkyComesBack) {
   SkyState state;
   state.clouds.cover = 0.4;
   Sky own = create({}, state);
-  auto ownView = SkyView::create(own, {64, 64}).value();
+  auto ownView = createView(own);
   const Picture expected = draw(own, ownView, 800);
   const SkyEnvironment even = pictureOf([](double, double) { return glm::dvec3(0.5); }, 64);
   Sky sky = create(even, state);
-  auto view = SkyView::create(sky, {64, 64}).value();
+  auto view = createView(sky);
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(sky.setEnvironment(even));
     EXPECT_NEAR(draw(sky, view, 800).view.at(9, 200).g, 0.5, 1e-3);
@@ -290,18 +265,15 @@ TEST_F(SkyEnvironmentTest, PelagicsOwnSkyComesBack) {
 TEST_F(SkyEnvironmentTest, ViewsFollowWhatWasRecordedLast) {
   const SkyEnvironment even = pictureOf([](double, double) { return glm::dvec3(0.5); }, 64);
   Sky sky = create(even);
-  auto view = SkyView::create(sky, {64, 64}).value();
+  auto view = createView(sky);
   draw(sky, view, 5);
   ASSERT_TRUE(sky.setEnvironment({}));
-  Camera camera;
-  camera.position.y = 4000;
-  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, camera); });
+  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, cameraAt(4000)); });
   EXPECT_NEAR(read(view.maps().radiance).at(9, 200).g, 0.5, 1e-3);
   const glm::dvec3 own = draw(sky, view, 4000).view.at(9, 200);
   EXPECT_GT(std::abs(own.g - 0.5), 0.1);
   ASSERT_TRUE(sky.setEnvironment(even));
-  camera.position.y = 4001;
-  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, camera); });
+  gpu().run([&](vk::CommandBuffer commands) { view.record(commands, cameraAt(4001)); });
   EXPECT_NEAR(read(view.maps().radiance).at(9, 200).g, own.g, 1e-3);
 }
 
@@ -331,9 +303,9 @@ TEST_F(SkyEnvironmentTest, ErrorsNameFieldValueAndRange) {
   refused([](auto& p) { p.width = 0; }, "width is 0, it must lie in 4 … 4096 where there is a picture");
   refused([&](auto& p) { p = pictureOf([](double, double) { return glm::dvec3(1); }, 32); },
           "width is 32, it must be 64 as at create(), or 0");
-  refused([&](auto& p) { p.scale = -1; }, "scale is -1, it must lie in 0 … 1e6");
+  refused([&](auto& p) { p.scale = -1; }, "scale is -1, it must be 0 to 1e6");
   refused([&](auto& p) { p.rotation = nan; }, "rotation is nan, it must be finite");
-  refused([](auto& p) { p.sun = EnvironmentSun{-0.1, 0, {}}; }, "sun.elevation is -0.1, it must lie in 0 … pi/2");
+  refused([](auto& p) { p.sun = EnvironmentSun{-0.1, 0, {}}; }, "sun.elevation is -0.1, it must be 0 to pi/2");
   refused([&](auto& p) { p.sun = EnvironmentSun{0.1, nan, {}}; }, "sun.azimuth is nan, it must be finite");
   refused(
       [](auto& p) {

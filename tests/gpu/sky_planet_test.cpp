@@ -1,12 +1,8 @@
 /// The sky of planets that are smaller or larger than the Earth.
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
-#include "pelagic/shader/sky_light.h"
-#include "support/gpu_test.hpp"
-
-#include <pelagic/sky.hpp>
+#include "sky_fixture.hpp"
 
 namespace {
 
@@ -59,33 +55,19 @@ struct Air {
   }
 };
 
-class SkyPlanetTest : public support::GpuTest {
- protected:
-  pelagic::Sky create(const pelagic::SkyState& state, double planetRadius) {
-    auto sky = pelagic::Sky::create(device(), state, planetRadius);
-    if (!sky) throw std::runtime_error(sky.error().message);
-    return std::move(*sky);
-  }
-  pelagic::SkyView view(const pelagic::Sky& sky, VkExtent2D extent) {
-    auto view = pelagic::SkyView::create(sky, extent);
-    if (!view) throw std::runtime_error(view.error().message);
-    return std::move(*view);
-  }
-};
+using SkyPlanetTest = support::SkyFixture;
 
 TEST_F(SkyPlanetTest, SunlightComesThroughTheAirOfThatPlanet) {
   for (const double radius : {1e5, 1737e3, 1e8}) {
     for (const double elevation : {0.03, 0.2, 0.8}) {
-      pelagic::Sky sky = create({elevation, 0, 0, 1, {}}, radius);
+      pelagic::Sky sky = createSky({elevation, 0, 0, 1, {}}, radius);
       gpu().run([&](vk::CommandBuffer commands) { sky.record(commands, 0); });
-      pelagic::shader::SkyLight light;
-      const auto bytes = common::readBuffer(gpu(), sky.maps().light, sky.maps().lightSize);
-      std::memcpy(&light, bytes.data(), sizeof(light));
+      const glm::vec4 sunlight = light(sky.maps()).sunIrradiance;
       const Air air{radius, 1};
       const double mu = std::sin(elevation);
       const dvec3 expected = glm::exp(-air.opticalDepth(0, mu, air.distanceToTop(0, mu), 20000));
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(light.sunIrradiance[c], expected[c], 0.01 * expected[c] + 1e-4) << radius << ' ' << elevation;
+        EXPECT_NEAR(sunlight[c], expected[c], 0.01 * expected[c] + 1e-4) << radius << ' ' << elevation;
       }
     }
   }
@@ -96,23 +78,19 @@ TEST_F(SkyPlanetTest, RowsAreCountedFromItsHorizon) {
   const double sun = kPi / 3;
   for (const double radius : {1e5, 1737e3, 1e8}) {
     const Air air{radius, 0};
-    pelagic::Sky sky = create({sun, 0, 0, 0, {}}, radius);
-    pelagic::SkyView seen = view(sky, {16, 16});
+    pelagic::Sky sky = createSky({sun, 0, 0, 0, {}}, radius);
+    pelagic::SkyView seen = createView(sky, {16, 16});
     for (const double altitude : {0.0, 9000.0}) {
-      pelagic::Camera camera;
-      camera.position = {0, altitude, 0};
       gpu().run([&](vk::CommandBuffer commands) {
         sky.record(commands, 0);
-        seen.record(commands, camera);
+        seen.record(commands, cameraAt(altitude));
       });
-      const pelagic::MapView map = seen.maps().radiance;
-      const std::vector<float> texels = common::readFloats(gpu(), map);
+      const support::SkyMap map = read(seen.maps().radiance);
       const double edge = -std::acos(radius / (radius + altitude));
-      for (const std::uint32_t row : {1u, 8u, 60u, 126u}) {
-        const double s = (row + 0.5) / (0.5 * map.extent.height), elevation = edge + (kPi / 2 - edge) * s * s;
-        const std::uint32_t y = map.extent.height / 2 + row, x = map.extent.width / 4;
-        const float* texel = &texels[4 * (std::size_t{y} * map.extent.width + x)];
-        const double ratio = static_cast<double>(texel[0]) / air.scatteredOnce(altitude, elevation, sun).r;
+      for (const int row : {1, 8, 60, 126}) {
+        const double s = (row + 0.5) / (0.5 * map.height), elevation = edge + (kPi / 2 - edge) * s * s;
+        const double seenThere = map.at(map.width / 4, map.height / 2 + row).r;
+        const double ratio = seenThere / air.scatteredOnce(altitude, elevation, sun).r;
         EXPECT_GT(ratio, 1.05) << radius << " m, from " << altitude << " m, row " << row;
         EXPECT_LT(ratio, 1.35) << radius << " m, from " << altitude << " m, row " << row;
       }
@@ -125,23 +103,21 @@ TEST_F(SkyPlanetTest, CloudsReachDownToItsHorizon) {
   constexpr VkExtent2D kExtent{96, 96};
   pelagic::SkyState state;
   state.clouds.cover = 1;
-  pelagic::Sky sky = create(state, 1e5);
-  pelagic::SkyView seen = view(sky, kExtent);
+  pelagic::Sky sky = createSky(state, 1e5);
+  pelagic::SkyView seen = createView(sky, kExtent);
   const double dip = std::acos(1e5 / (1e5 + 3));
-  pelagic::Camera camera;
-  camera.position = {0, 3, 0};
+  pelagic::Camera camera = cameraAt(3);
   const float tangent = static_cast<float>(std::tan(1.5 * dip));
   camera.projection = glm::mat4(1 / tangent, 0, 0, 0, 0, -1 / tangent, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0);
   gpu().run([&](vk::CommandBuffer commands) {
     sky.record(commands, 0);
     seen.record(commands, camera);
   });
-  const pelagic::MapView map = seen.maps().clouds;
-  const std::vector<float> texels = common::readFloats(gpu(), map);
-  for (std::uint32_t y = 0; y < map.extent.height; ++y) {
+  const support::SkyMap map = read(seen.maps().clouds);
+  for (int y = 0; y < map.height; ++y) {
     const double down = 2 * (3 * y + 1.5) / kExtent.height - 1;  // of the pixel's middle, in halves of the picture
-    for (std::uint32_t x = 0; x < map.extent.width; ++x) {
-      const double through = static_cast<double>(texels[4 * (std::size_t{y} * map.extent.width + x) + 3]);
+    for (int x = 0; x < map.width; ++x) {
+      const double through = map.alpha(x, y);
       const double elevation = -std::atan(down * std::tan(1.5 * dip));
       if (elevation > -dip) {
         EXPECT_LT(through, 0.1) << x << ' ' << y;

@@ -1,15 +1,13 @@
 #include <pelagic/sky.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
 
-#include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
-#include "support/gpu_test.hpp"
+#include "sky_fixture.hpp"
 
 namespace {
 
@@ -20,30 +18,9 @@ constexpr double radians(double degrees) { return degrees * kPi / 180; }
 
 double luminance(const dvec3& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
-/// A map read back, with what the tests ask of it.
-struct Map {
-  std::vector<float> texels;
-  int width = 0, height = 0;
-  dvec3 at(int x, int y) const {
-    const float* p = &texels[4 * static_cast<std::size_t>(y * width + x)];
-    return {p[0], p[1], p[2]};
-  }
-  double alpha(int x, int y) const { return texels[4 * static_cast<std::size_t>(y * width + x) + 3]; }
-  /// Of the radiance map, bilinear.
-  dvec3 toward(double azimuth, double elevation) const {
-    const double x = azimuth / (2 * kPi) * width - 0.5;
-    const double y = (0.5 + 0.5 * std::sqrt(elevation / (kPi / 2))) * height - 0.5;
-    const double left = std::floor(x), low = std::floor(y);
-    const auto texel = [&](double dx, double dy) {
-      const double u = left + dx - std::floor((left + dx) / width) * width;
-      return at(static_cast<int>(u), static_cast<int>(std::min(low + dy, height - 1.0)));
-    };
-    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), x - left), glm::mix(texel(0, 1), texel(1, 1), x - left),
-                    y - low);
-  }
-};
+using Map = support::SkyMap;
 
-class SkyTest : public support::GpuTest {
+class SkyTest : public support::SkyFixture {
  protected:
   struct Picture {
     Map radiance, environment;
@@ -56,24 +33,10 @@ class SkyTest : public support::GpuTest {
     state.overcast = overcast;
     return state;
   }
-  pelagic::Sky create(const pelagic::SkyState& state) {
-    auto sky = pelagic::Sky::create(device(), state);
-    if (!sky) throw std::runtime_error(sky.error().message);
-    return std::move(*sky);
-  }
   Picture draw(pelagic::Sky& sky, const pelagic::SkyState& state) {
     if (const auto set = sky.setState(state); !set) throw std::runtime_error(set.error().message);
     gpu().run([&](vk::CommandBuffer commands) { sky.record(commands, 0); });
-    Picture picture;
-    picture.radiance = read(sky.maps().radiance);
-    picture.environment = read(sky.maps().environment);
-    const auto bytes = common::readBuffer(gpu(), sky.maps().light, sky.maps().lightSize);
-    std::memcpy(&picture.light, bytes.data(), sizeof(picture.light));
-    return picture;
-  }
-  Map read(const pelagic::MapView& map, std::uint32_t mip = 0) {
-    return {common::readFloats(gpu(), map, mip), static_cast<int>(map.extent.width >> mip),
-            static_cast<int>(map.extent.height >> mip)};
+    return {read(sky.maps().radiance), read(sky.maps().environment), light(sky.maps())};
   }
 };
 
@@ -107,7 +70,7 @@ dvec3 transmittance(double elevation, double haze) {
 }
 
 TEST_F(SkyTest, SunlightIsWhatQuadratureLeavesOfIt) {
-  auto sky = create({});
+  auto sky = createSky({});
   for (const double degrees : {90.0, 40.0, 15.0, 5.0, 1.0}) {
     for (const double haze : {1.0, 4.0}) {
       pelagic::SkyState state = stateOf(degrees);
@@ -126,7 +89,7 @@ TEST_F(SkyTest, SunlightIsWhatQuadratureLeavesOfIt) {
 }
 
 TEST_F(SkyTest, SunlightFadesAndReddensAsTheDiscSets) {
-  auto sky = create({});
+  auto sky = createSky({});
   double before = 1;
   double redder = 0;
   for (const double degrees : {60.0, 20.0, 5.0, 1.0, 0.2, 0.0, -0.2, -0.26}) {
@@ -142,7 +105,7 @@ TEST_F(SkyTest, SunlightFadesAndReddensAsTheDiscSets) {
 }
 
 TEST_F(SkyTest, SkyIrradianceIsTheIntegralOfTheMap) {
-  auto sky = create({});
+  auto sky = createSky({});
   for (const double degrees : {70.0, 20.0, 1.0, -5.0, -12.0}) {
     for (const double overcast : {0.0, 0.4, 1.0}) {
       const Picture picture = draw(sky, stateOf(degrees, overcast));
@@ -155,7 +118,7 @@ TEST_F(SkyTest, SkyIrradianceIsTheIntegralOfTheMap) {
 }
 
 TEST_F(SkyTest, NoMoreLightComesDownThanEntersTheAir) {
-  auto sky = create({});
+  auto sky = createSky({});
   for (const double degrees : {90.0, 45.0, 20.0, 8.0, 3.0}) {
     for (const double haze : {0.0, 1.0, 10.0}) {
       pelagic::SkyState state = stateOf(degrees);
@@ -176,7 +139,7 @@ TEST_F(SkyTest, NoMoreLightComesDownThanEntersTheAir) {
 TEST_F(SkyTest, ZenithOfPureAirIsSingleScatteringAndALittleMore) {
   pelagic::SkyState state = stateOf(60);
   state.haze = 0;
-  auto sky = create(state);
+  auto sky = createSky(state);
   const Picture picture = draw(sky, state);
   const dvec3 zenith = picture.radiance.toward(0, radians(89.5));
   const double phase = 3 / (16 * kPi) * (1 + 0.75);
@@ -220,7 +183,7 @@ double scatteredShare(double depth, double mu0, double albedo, int photons) {
 
 /// Molecules do not absorb blue light, so that this is a closed benchmark of all orders of scattering.
 TEST_F(SkyTest, BlueLightOfPureAirIsWhatPhotonsFind) {
-  auto sky = create({});
+  auto sky = createSky({});
   for (const double degrees : {80.0, 50.0, 30.0}) {
     pelagic::SkyState state = stateOf(degrees);
     state.haze = 0;
@@ -231,7 +194,7 @@ TEST_F(SkyTest, BlueLightOfPureAirIsWhatPhotonsFind) {
 }
 
 TEST_F(SkyTest, ColoursOfDayAndDusk) {
-  auto sky = create({});
+  auto sky = createSky({});
   const Map noon = draw(sky, stateOf(60)).radiance;
   const dvec3 high = noon.toward(2.0 + kPi, radians(60)), low = noon.toward(2.0 + kPi, radians(2));
   EXPECT_GT(high.b, 1.7 * high.r);
@@ -249,7 +212,7 @@ TEST_F(SkyTest, ColoursOfDayAndDusk) {
 
 TEST_F(SkyTest, TwilightFadesAsMeasured) {
   // Illuminance of clear twilight in lux (Explanatory Supplement to the Astronomical Almanac), within a factor of 3.
-  auto sky = create({});
+  auto sky = createSky({});
   const std::pair<double, double> measured[] = {{0, 700}, {-3, 80}, {-6, 3.5}, {-12, 0.008}};
   for (const auto& [degrees, lux] : measured) {
     const auto light = draw(sky, stateOf(degrees)).light;
@@ -261,7 +224,7 @@ TEST_F(SkyTest, TwilightFadesAsMeasured) {
 }
 
 TEST_F(SkyTest, OvercastFollowsTheStandard) {
-  auto sky = create({});
+  auto sky = createSky({});
   const auto clear = draw(sky, stateOf(35)).light;
   const Picture picture = draw(sky, stateOf(35, 1));
   const Map& map = picture.radiance;
@@ -281,7 +244,7 @@ TEST_F(SkyTest, OvercastFollowsTheStandard) {
 }
 
 TEST_F(SkyTest, CloudsMixLinearly) {
-  auto sky = create({});
+  auto sky = createSky({});
   const Picture clear = draw(sky, stateOf(35)), full = draw(sky, stateOf(35, 1)), part = draw(sky, stateOf(35, 0.25));
   for (int y = 128; y < 256; y += 9) {
     for (int x = 0; x < 512; x += 31) {
@@ -293,7 +256,7 @@ TEST_F(SkyTest, CloudsMixLinearly) {
 }
 
 TEST_F(SkyTest, BelowTheHorizonTheMapHoldsTheHorizon) {
-  auto sky = create({});
+  auto sky = createSky({});
   const Map map = draw(sky, stateOf(3)).radiance;
   for (int x = 0; x < map.width; x += 17) {
     for (const int y : {0, 60, 127}) {
@@ -303,7 +266,7 @@ TEST_F(SkyTest, BelowTheHorizonTheMapHoldsTheHorizon) {
 }
 
 TEST_F(SkyTest, EnvironmentIsTheRadianceMapAtTheSameDirections) {
-  auto sky = create({});
+  auto sky = createSky({});
   const Picture picture = draw(sky, stateOf(12));
   const Map& environment = picture.environment;
   for (int y = 3; y < environment.height; y += 16) {
@@ -325,7 +288,7 @@ TEST_F(SkyTest, EnvironmentIsTheRadianceMapAtTheSameDirections) {
 }
 
 TEST_F(SkyTest, MipsKeepTheSum) {
-  auto sky = create({});
+  auto sky = createSky({});
   draw(sky, stateOf(12));
   const auto meanOf = [&](std::uint32_t mip) {
     const Map map = read(sky.maps().environment, mip);
@@ -344,7 +307,7 @@ TEST_F(SkyTest, MipsKeepTheSum) {
 }
 
 TEST_F(SkyTest, MipsAreBinomial) {
-  auto sky = create({});
+  auto sky = createSky({});
   const Map fine = draw(sky, stateOf(12)).environment;
   const Map coarse = read(sky.maps().environment, 1);
   constexpr double kWeights[] = {0.125, 0.375, 0.375, 0.125};
@@ -366,7 +329,7 @@ TEST_F(SkyTest, MipsAreBinomial) {
 TEST_F(SkyTest, AerialPerspectiveGetsTheExtinctionAtSeaLevel) {
   pelagic::SkyState state = stateOf(30);
   state.haze = 3;
-  auto sky = create(state);
+  auto sky = createSky(state);
   const auto light = draw(sky, state).light;
   EXPECT_NEAR(light.rayleighExtinction.b, 3.31e-5, 1e-8);
   EXPECT_EQ(light.rayleighExtinction.w, 8000);
@@ -375,7 +338,7 @@ TEST_F(SkyTest, AerialPerspectiveGetsTheExtinctionAtSeaLevel) {
 }
 
 TEST_F(SkyTest, UnchangedStateRecordsNothing) {
-  auto sky = create(stateOf(30));
+  auto sky = createSky(stateOf(30));
   auto timings = pelagic::Timings::create(device());
   ASSERT_TRUE(timings);
   const auto passes = [&] {
@@ -398,7 +361,7 @@ TEST_F(SkyTest, UnchangedStateRecordsNothing) {
 }
 
 TEST_F(SkyTest, EachFieldIsRefusedByName) {
-  auto sky = create({});
+  auto sky = createSky({});
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   struct Case {
     const char* name;

@@ -1,50 +1,30 @@
 #include <cmath>
 #include <numbers>
 
-#include "pelagic/shader/sky_light.h"
-#include "support/gpu_test.hpp"
-
-#include <pelagic/sky.hpp>
+#include "sky_fixture.hpp"
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double radians(double degrees) { return degrees * kPi / 180; }
 
-class SkyViewTest : public support::GpuTest {
+using Map = support::SkyMap;
+
+class SkyViewTest : public support::SkyFixture {
  protected:
-  struct Map {
-    std::vector<float> texels;
-    int width = 0, height = 0;
-    glm::dvec3 at(int x, int y) const {
-      const float* p = &texels[4 * static_cast<std::size_t>(y * width + x)];
-      return {p[0], p[1], p[2]};
-    }
-  };
-  Map read(const pelagic::MapView& map) {
-    return {common::readFloats(gpu(), map, 0), static_cast<int>(map.extent.width), static_cast<int>(map.extent.height)};
-  }
-  static pelagic::Camera camera(double altitude) {
-    pelagic::Camera camera;
-    camera.position = {0, altitude, 0};
-    camera.projection = glm::mat4(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0);
-    return camera;
-  }
   struct Pair {
     pelagic::Sky sky;
     pelagic::SkyView view;
   };
   Pair create(const pelagic::SkyState& state) {
-    auto sky = pelagic::Sky::create(device(), state);
-    if (!sky) throw std::runtime_error(sky.error().message);
-    auto view = pelagic::SkyView::create(*sky, {64, 64});
-    if (!view) throw std::runtime_error(view.error().message);
-    return {std::move(*sky), std::move(*view)};
+    pelagic::Sky sky = createSky(state);
+    pelagic::SkyView view = createView(sky);
+    return {std::move(sky), std::move(view)};
   }
   Map draw(Pair& pair, double altitude) {
     gpu().run([&](vk::CommandBuffer commands) {
       pair.sky.record(commands, 0);
-      pair.view.record(commands, camera(altitude));
+      pair.view.record(commands, cameraAt(altitude));
     });
     return read(pair.view.maps().radiance);
   }
@@ -105,7 +85,7 @@ TEST_F(SkyViewTest, UnchangedRecordsNothing) {
     gpu().run([&](vk::CommandBuffer commands) {
       timings->reset(commands);
       pair.sky.record(commands, 0);
-      pair.view.record(commands, camera(altitude), &*timings);
+      pair.view.record(commands, cameraAt(altitude), &*timings);
     });
     return timings->read()->size();
   };
