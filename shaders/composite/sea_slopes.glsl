@@ -2,6 +2,7 @@
 #ifndef PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #define PELAGIC_COMPOSITE_SEA_SLOPES_GLSL
 #include "composite/footprint.glsl"
+#include "physics/modulation.glsl"
 #include "physics/noise.glsl"
 #include "pelagic/shader/wave_lookup.glsl"
 #include "pelagic/shader/wave_gain.glsl"
@@ -59,13 +60,21 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     float power = kept * kept;
     uint mip = uint(min(lod + 0.5, 7.0));
     float lost = 1.0 - power + power * frame.waves.interpolationLoss[2u * c + (mip >> 2)][mip & 3u];
+    // Shorter waves by the longer ones they ride on, which the Jacobian below shortens besides.
+    float together = -(gradient.z + gradient.w);
+    float steepness = shortWaveSteepness(together);
+    float shown = kept * steepness * max(1.0 - together, 0.0);
     float gain = gainAt(p, c);
-    gradient += kept * gain * g;
-    moments += gain * vec4(gain * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz), kept * m.w);
+    gradient += gain * (shown * g);
+    // Precise: the same with kGain and without.
+    precise vec3 left = steepness * steepness * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz);
+    moments += gain * vec4(gain * left, shown * m.w);
   } while (++c < cascades);
+  float steepness = shortWaveSteepness(-(gradient.z + gradient.w));
   for (; c < frame.waves.cascades; ++c) {
     float gain = gainAt(p, c);
-    moments.xyz += gain * gain * frame.waves.slopeCovariance[c].xyz;
+    precise vec3 left = steepness * steepness * frame.waves.slopeCovariance[c].xyz;
+    moments.xyz += gain * gain * left;
   }
   if (kFoaming) {
     do {
@@ -89,7 +98,8 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   // Waves that no cascade holds are like the shortest that one does.
   float shortest = gainAt(p, frame.waves.cascades - 1u);
-  sea.residual = moments.xyz + shortest * shortest * frame.waves.unresolved.xyz;
+  precise vec3 tail = steepness * steepness * frame.waves.unresolved.xyz;
+  sea.residual = moments.xyz + shortest * shortest * tail;
   sea.compression = -(gradient.z + gradient.w);
   sea.foam = 1.0 - foamFree;
   return sea;

@@ -68,7 +68,8 @@ void main() {
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   vec4 normal = vec4(sea.normal, 0);
   if (kFoaming) {
-    Foam foam = foamAt(sea.foam, p, side);
+    vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
+    Foam foam = foamAt(sea.foam, p, across, along * away);
     vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
     radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
     normal.w = foam.cover;

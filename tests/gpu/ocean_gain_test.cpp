@@ -87,21 +87,25 @@ TEST_F(OceanGainTest, OneEverywhereChangesNothing) {
 }
 
 TEST_F(OceanGainTest, HalfEverywhereIsTheSeaOfHalfTheAmplitudes) {
-  OceanInfo info = ocean();
-  info.waves.gain = support::evenGain(0.5f);
-  const Picture gained = draw(info);
-  info.waves.gain = {};
-  info.waves.sea.octaveGain.fill(0.5);
-  const Picture calm = draw(info);
-  for (std::size_t i = 0; i < calm.depth.size(); ++i) {
-    EXPECT_NEAR(gained.depth[i], calm.depth[i], 1e-5f * calm.depth[i]);
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(gained.normal[4 * i + c], calm.normal[4 * i + c], 1e-3);
-    // The wind blows along x. What no cascade holds is scaled with the rest here, and fills up the measured slopes
-    // there.
-    const double x = static_cast<double>(gained.variance[2 * i]) - 0.25 * gained.unresolved.upwind;
-    const double z = static_cast<double>(gained.variance[2 * i + 1]) - 0.25 * gained.unresolved.crosswind;
-    EXPECT_NEAR(x, static_cast<double>(calm.variance[2 * i]) - calm.unresolved.upwind, 1e-5);
-    EXPECT_NEAR(z, static_cast<double>(calm.variance[2 * i + 1]) - calm.unresolved.crosswind, 1e-5);
+  for (const double choppiness : {1.0, 0.0}) {
+    OceanInfo info = ocean();
+    info.waves.sea.choppiness = choppiness;
+    info.waves.gain = support::evenGain(0.5f);
+    const Picture gained = draw(info);
+    info.waves.gain = {};
+    info.waves.sea.octaveGain.fill(0.5);
+    const Picture calm = draw(info);
+    for (std::size_t i = 0; i < calm.depth.size(); ++i) {
+      EXPECT_NEAR(gained.depth[i], calm.depth[i], 1e-5f * calm.depth[i]);
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(gained.normal[4 * i + c], calm.normal[4 * i + c], 1e-3);
+      // The wind blows along x. What no cascade holds is scaled with the rest here, and fills up the measured slopes
+      // there; long waves that push the water together change it from place to place.
+      if (choppiness > 0) continue;
+      const double x = static_cast<double>(gained.variance[2 * i]) - 0.25 * gained.unresolved.upwind;
+      const double z = static_cast<double>(gained.variance[2 * i + 1]) - 0.25 * gained.unresolved.crosswind;
+      EXPECT_NEAR(x, static_cast<double>(calm.variance[2 * i]) - calm.unresolved.upwind, 1e-5);
+      EXPECT_NEAR(z, static_cast<double>(calm.variance[2 * i + 1]) - calm.unresolved.crosswind, 1e-5);
+    }
   }
 }
 

@@ -126,8 +126,9 @@ void OceanVarianceTest::checkBudget(const std::vector<double>& distances, double
       gpu().run([&](vk::CommandBuffer commands) { ocean_->record(commands, time); });
       for (std::size_t i = 0; i < sums.size(); ++i) {
         const double distance = distances[i / 2];
-        // Least even are those as large as the waves that their pixels begin to miss.
-        const int pictures = distance > 5 && distance < 200 ? 4 : 1;
+        // Least even are those as large as the waves that their pixels begin to miss, and near ones where a long wave
+        // makes the ripples steep or calm.
+        const int pictures = distance > 200 ? 1 : info_.waves.sea.choppiness > 0 ? 10 : distance > 5 ? 4 : 1;
         for (int picture = 0; picture < pictures; ++picture) {
           const glm::dvec2 place(where(random), where(random));
           const Budget one = look(lookingAt({place.x, query_->heightAt(place), place.y}, distance, downs[i % 2]));
