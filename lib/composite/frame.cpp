@@ -43,6 +43,18 @@ void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept 
   frame.crestsHide = byThickness ? 1 : 0;
 }
 
+void setLight(const HostLight& light, const glm::dvec3& eye, shader::CompositeFrame& frame) noexcept {
+  const bool panel = light.halfWidth != glm::dvec3(0) || light.halfHeight != glm::dvec3(0);
+  // What intensity belongs to: the area that a ball or the front of a rectangle shows.
+  const double area = panel ? 4 * glm::length(glm::cross(light.halfWidth, light.halfHeight))
+                            : glm::pi<double>() * light.radius * light.radius;
+  const std::uint32_t i = frame.hostLights++;
+  frame.hostLightPlace[i] = glm::vec4(glm::dvec4(light.position - eye, panel ? 0 : light.radius));
+  frame.hostLightWidth[i] = glm::vec4(glm::dvec4(light.halfWidth, 0));
+  frame.hostLightHeight[i] = glm::vec4(glm::dvec4(light.halfHeight, 0));
+  frame.hostLightRadiance[i] = glm::vec4(glm::dvec4(glm::dvec3(light.intensity) / area, 0));
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
@@ -65,11 +77,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
-  for (const HostLight& light : lights) {
-    frame.hostLightPlace[frame.hostLights] = glm::vec4(glm::dvec4(light.position - camera.position, light.radius));
-    frame.hostLightIntensity[frame.hostLights] = glm::vec4(light.intensity, 0);
-    ++frame.hostLights;
-  }
+  for (const HostLight& light : lights) setLight(light, camera.position, frame);
   frame.planetRadius = radius;
   frame.width = extent.width;
   frame.height = extent.height;

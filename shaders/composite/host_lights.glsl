@@ -20,17 +20,28 @@ HostLit hostLit(SeaPoint sea, vec3 v, vec3 place, vec2 p) {
   HostLit lit = kNoHostLight;
   uint i = 0u;
   do {
-    vec4 ball = frame.hostLightPlace[i];
-    vec3 to = ball.xyz - place;
-    float inverse = inversesqrt(max(dot(to, to), ball.w * ball.w));
-    vec3 l = levelled(to * inverse, p);
+    vec4 middle = frame.hostLightPlace[i];
+    vec3 to = middle.xyz - place;
+    float inverse = inversesqrt(max(dot(to, to), max(middle.w * middle.w, 1e-6)));
     // Twilight's gain holds for all light (pelagic/sky.hpp).
-    vec3 intensity = frame.hostLightIntensity[i].rgb * light.skyIrradiance.w;
-    vec3 irradiance = intensity * (inverse * inverse);
-    lit.mirrored += mirroredLight(sea, seen, v, l, irradiance, ball.w * inverse, intensity / (kPi * ball.w * ball.w),
-                                  true);
-    lit.entering += enteringIrradiance(irradiance, l.y, vec3(0));
-    lit.foam += irradiance * max(dot(sea.normal, l), 0.0);
+    Shining from;
+    from.radiance = frame.hostLightRadiance[i].rgb * light.skyIrradiance.w;
+    from.l = levelled(to * inverse, p);
+    from.radius = middle.w * inverse;
+    from.a = levelled(frame.hostLightWidth[i].xyz * inverse, p);
+    from.b = levelled(frame.hostLightHeight[i].xyz * inverse, p);
+    // Of unit radiance, times the square of the distance, so that it is not too small for a float.
+    vec3 panel = panelIrradiance(from.l, from.a, from.b);
+    vec3 area = (kPi * middle.w * middle.w) * from.l + panel / (inverse * inverse);
+    float shrink = panelShrink(from.l, from.a, from.b, panel);
+    from.a *= shrink;
+    from.b *= shrink;
+    float size = length(area);
+    from.irradiance = from.radiance * (size * inverse * inverse);
+    from.l = area / max(size, 1e-9);  // the middle of what is seen of it; none: it shines away
+    lit.mirrored += mirroredLight(sea, seen, v, from, true);
+    lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));
+    lit.foam += from.irradiance * max(dot(sea.normal, from.l), 0.0);
   } while (++i < frame.hostLights);
   return lit;
 }
