@@ -49,19 +49,21 @@ Result<void> validate(const WaterMedium& medium);
 /// A light of the host: a ball that shines evenly, small like a lamp or as large as a lit sail, or a rectangle like a
 /// window or a screen, which shines on one side, as bright from wherever it is seen (Lambert's law). It glitters on the
 /// sea, lights the water from within and the foam. The light itself, and what else it shines on, are the host's to
-/// draw. Nothing stands in its way: neither waves nor the host's own objects cast shadows, and the air between it and
-/// the sea takes nothing.
+/// draw. Nothing but the planet stands in its way: behind the horizon it lights no water, but neither waves nor the
+/// host's own objects cast shadows, and the air between it and the sea takes nothing.
 struct HostLight {
-  glm::dvec3 position{0, 10, 0};  ///< Of its centre in the world [m]; |x|, |z| <= 1e9, y 0 … 1e5.
+  /// Of its centre in the world [m]; |x|, |z| <= 1e9. y, 0 … 1e5, is its height over the still sea below it, which the
+  /// planet's curve lowers with the distance from the camera.
+  glm::dvec3 position{0, 10, 0};
   /// Of a ball [m], 1e-3 … 1e4; seen from the water under more than 0.1 rad, its glint is too wide.
   double radius = 0.1;
   /// Radiant intensity: its irradiance at the distance r, on a plane facing it, is intensity/r^2 [units of
   /// pelagic/sky.hpp times m^2], 0 … 1e12 each; that of a rectangle straight before it, from afar. Where 1.28e5 lx are
   /// the sun's irradiance above the air, 1000 cd are 0.0078. Like all light it is multiplied by twilightGain().
   glm::vec3 intensity{0.01f};
-  /// Both 0: a ball. Else half the sides of a rectangle, at right angles, each 1e-3 … 1e4 long [m]: it shines toward
-  /// cross(halfWidth, halfHeight), its corners lie at y >= 0 and `radius` is not used. Its glint is too wide where a
-  /// half is seen under more than 0.08 rad.
+  /// In the level frame of its place. Both 0: a ball. Else half the sides of a rectangle, at right angles, each 1e-3 …
+  /// 1e4 long [m]: it shines toward cross(halfWidth, halfHeight), its corners lie at y >= 0 and `radius` is not used.
+  /// Its glint is too wide where a half is seen under more than 0.08 rad.
   glm::dvec3 halfWidth{0};
   glm::dvec3 halfHeight{0};
 };

@@ -14,10 +14,27 @@ struct HostLit {
 
 const HostLit kNoHostLight = HostLit(vec3(0), vec3(0), vec3(0));
 
+// Height of a point over the still sea below it [m], `place` from the eye [m]. Summed without the square of the radius.
+float heightOverSea(vec3 place) {
+  float radius = frame.planetRadius, eye = frame.absorption.w;
+  float q = eye * (2.0 * radius + eye) + dot(place, place) + 2.0 * (radius + eye) * place.y;
+  return q / (sqrt(radius * radius + q) + radius);
+}
+
+// Share of a light that the planet leaves in sight of a point `height` over the still sea: `up` is the sine of its elevation,
+// over `distance` [m], and `extent` half of what it takes of elevation. A light before the lowest point of the line to it, which
+// water higher than a lamp may look down on, is in sight.
+float shareOverHorizon(float up, float distance, float extent, float height) {
+  if (distance + frame.planetRadius * up < 0.0) return 1.0;
+  float dip = sqrt(2.0 * max(height, 0.0) / frame.planetRadius);
+  return clamp(0.5 + 0.5 * (up + dip) / max(extent, 1e-7), 0.0, 1.0);
+}
+
 // `place`: from the eye [m], of a point that is `p` away in the plane. Loops test at their end: there is one light at least.
 HostLit hostLit(SeaPoint sea, vec3 v, vec3 place, vec2 p) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
   HostLit lit = kNoHostLight;
+  float height = heightOverSea(place);
   uint i = 0u;
   do {
     vec4 middle = frame.hostLightPlace[i];
@@ -37,7 +54,9 @@ HostLit hostLit(SeaPoint sea, vec3 v, vec3 place, vec2 p) {
     from.a *= shrink;
     from.b *= shrink;
     float size = length(area);
-    from.irradiance = from.radiance * (size * inverse * inverse);
+    float extent = from.radius + abs(from.a.y) + abs(from.b.y);
+    float share = shareOverHorizon(from.l.y, 1.0 / inverse, extent, height);
+    from.irradiance = from.radiance * (share * size * inverse * inverse);
     from.l = area / max(size, 1e-9);  // the middle of what is seen of it; none: it shines away
     lit.mirrored += mirroredLight(sea, seen, v, from, true);
     lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));

@@ -28,6 +28,13 @@ class HostLightTest : public GpuTest {
     const glm::dvec3 d = scene.directionAt(x, y), forward = -glm::transpose(glm::dmat3(scene.camera.rotation))[2];
     return scene.camera.position + d * (kAxial / glm::dot(d, forward));
   }
+  /// Where a light is, as HostLight says it, that stands at `place` from the scene's eye.
+  static glm::dvec3 overTheSea(const SyntheticScene& scene, const glm::dvec3& place) {
+    const glm::dvec3 eye = scene.camera.position;
+    const double fromCentre = glm::length(place + glm::dvec3(0, scene.planetRadius + eye.y, 0));
+    const double along = scene.planetRadius / fromCentre;
+    return {eye.x + place.x * along, fromCentre - scene.planetRadius, eye.z + place.z * along};
+  }
   /// What the sea mirrors toward v of a unit of light from the direction l, which is as narrow as can be.
   static double mirroredFrom(const glm::dvec3& v, const glm::dvec3& l) {
     const glm::vec3 covariance(static_cast<float>(kVariance), static_cast<float>(kVariance), 0), view(v), from(l);

@@ -43,7 +43,7 @@ TEST_F(BallLightTest, FarBallIsTheSun) {
     sunlit.light.sunRadiance = glm::vec4(irradiance / static_cast<float>(kPi * std::pow(kSunAngularRadius, 2)), 1);
     sunlit.render(device());
     constexpr double kFar = 1e5;
-    lit.lights = {{lit.camera.position + kFar * toward, kFar * kSunAngularRadius, irradiance * 1e10f}};
+    lit.lights = {{overTheSea(lit, kFar * toward), kFar * kSunAngularRadius, irradiance * 1e10f}};
     lit.render(device());
     double brightest = 0;
     for (std::uint32_t y = 0; y < 37; ++y) {
