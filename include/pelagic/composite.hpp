@@ -79,6 +79,9 @@ struct CompositeTargets {
   /// An object nearer than the water hides it and one behind it is hidden; where depth is the far value there is sky.
   std::optional<HostImage> color;
   std::optional<HostImage> depth;
+  /// Whether the host's objects are seen through the air and the clouds that lie before them, as the water is; false
+  /// for a host whose colour has its own.
+  bool airBeforeHost = true;
   /// Optional outputs, STORAGE usage, every pixel written:
   std::optional<HostImage> normal;  ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
   std::optional<HostImage> slopeVariance;  ///< rg16f or rg32f: unresolved slope variance along world x and z [1].

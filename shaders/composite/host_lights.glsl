@@ -1,6 +1,7 @@
 // The host's lights on the sea. Before it: levelled().
 #ifndef PELAGIC_COMPOSITE_HOST_LIGHTS_GLSL
 #define PELAGIC_COMPOSITE_HOST_LIGHTS_GLSL
+#include "composite/air.glsl"
 #include "composite/sea_light.glsl"
 
 // No pipeline that has no lights pays for them.
@@ -13,13 +14,6 @@ struct HostLit {
 };
 
 const HostLit kNoHostLight = HostLit(vec3(0), vec3(0), vec3(0));
-
-// Height of a point over the still sea below it [m], `place` from the eye [m]. Summed without the square of the radius.
-float heightOverSea(vec3 place) {
-  float radius = frame.planetRadius, eye = frame.absorption.w;
-  float q = eye * (2.0 * radius + eye) + dot(place, place) + 2.0 * (radius + eye) * place.y;
-  return q / (sqrt(radius * radius + q) + radius);
-}
 
 // Share of a light that the planet leaves in sight of a point `height` over the still sea: `up` is the sine of its elevation,
 // over `distance` [m], and `extent` half of what it takes of elevation. A light before the lowest point of the line to it, which
