@@ -110,7 +110,8 @@ class Composite {
 /// One view's bindings. Move-only; must not outlive the objects it was created from.
 class CompositeView {
  public:
-  /// Errors: invalidArgument when an extent or format differs from what CompositeTargets says.
+  /// Errors: invalidArgument when an extent or format differs from what CompositeTargets says, or when sky and water
+  /// are of different planets.
   static Result<CompositeView> create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
                                       const WaterBuffer& water, const CompositeTargets& targets);
   CompositeView(CompositeView&&) noexcept;

@@ -1,4 +1,3 @@
-#include <pelagic/shader/sky_light.h>
 #include <array>
 #include <composite/frame.hpp>
 #include <composite/fresnel_table.hpp>
@@ -254,10 +253,7 @@ Result<void> CompositeView::Impl::createEdges() {
 Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
                                             const WaterBuffer& water, const CompositeTargets& targets) {
   PELAGIC_CHECK(validate(targets, water));
-  if (sky.light == VK_NULL_HANDLE || sky.lightSize < sizeof(shader::SkyLight)) {
-    return gpu::reject("SkyMaps::light has " + std::to_string(sky.light ? sky.lightSize : 0) +
-                       " bytes, it must have at least " + std::to_string(sizeof(shader::SkyLight)));
-  }
+  PELAGIC_CHECK(validate(sky, water));
   Composite::Impl& shared = *composite.impl_;
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;

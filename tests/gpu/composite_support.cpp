@@ -171,6 +171,7 @@ void SyntheticScene::fillMaps() {
   skyMaps_.radiance = mapOf(radianceImage_, *radianceImage_.view);
   skyMaps_.environment = mapOf(environmentImage_, *environmentImage_.view);
   if (realSky) skyMaps_ = realSky->maps();
+  skyMaps_.planetRadius = planetRadius;
   if (clouds) skyMaps_.clouds = skyMaps_.cloudShadow = mapOf(cloudImage_, *cloudImage_.view);
   skyMaps_.light = *lightBuffer_;
   skyMaps_.lightSize = sizeof(light);
