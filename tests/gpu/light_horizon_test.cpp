@@ -59,6 +59,23 @@ TEST_F(LightHorizonTest, NoLightComesFromBehindTheHorizon) {
   }
 }
 
+TEST_F(LightHorizonTest, WaterThatStandsHigherSeesFarther) {
+  // A face of foam turned to a lamp 20 m high, which is in sight up to sqrt(2 R 20 m) and sqrt(2 R w) more from water
+  // of the height w: 15.96 km from sea level, 23.10 km from 4 m.
+  for (const auto& [water, horizon] : {std::pair{0.0f, 15964.0}, {4.0f, 23103.0}}) {
+    for (const double part : {0.99, 1.01}) {
+      SyntheticScene scene = below(kEarthRadius);
+      scene.fillWater(3000 - water);
+      scene.gradient = {-0.25f, 0, 0, 0};
+      scene.foam = 0.9f;
+      scene.lights = {{{2100 + part * horizon, 20, -3700}, 0.1, glm::vec3(1e9f)}};
+      scene.render(device());
+      const float seen = scene.radianceAt(4, 4).g;
+      EXPECT_EQ(seen > 0, part < 1) << water << ' ' << part << ": " << seen;
+    }
+  }
+}
+
 TEST_F(LightHorizonTest, ALighthouseLightsTheWaterUpToItsHorizon) {
   // 20 m high and 20 km off it lights what is within sqrt(2 R 20 m) = 15.96 km of it: from 4.04 km off the eye on.
   SyntheticScene scene = darkScene({9, 240}, 0, 0.015);
