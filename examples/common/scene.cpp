@@ -73,23 +73,38 @@ Fields environmentFields(pelagic::SkyEnvironment& environment) {
 pelagic::HostLight parseLight(const std::string& where, const std::string& text) {
   constexpr double kLuxOfSun = 1.28e5;  // of the unit irradiance, over the air
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 7) refuse(where, text, "X,Y,Z,RADIUS,R,G,B in m and cd, or none");
+  const bool panel = parts.size() == 12;
+  if (parts.size() != 7 && !panel) {
+    refuse(where, text, "X,Y,Z,RADIUS,R,G,B or X,Y,Z,WX,WY,WZ,HX,HY,HZ,R,G,B in m and cd, or none");
+  }
   const auto part = [&](std::size_t i, std::string_view name, const Range& range) {
     return parsePart(where, text, parts[i], name, range);
   };
   pelagic::HostLight light;
   light.position = {part(0, "x", {-1e9, 1e9, "m"}), part(1, "y", {0, 1e5, "m"}), part(2, "z", {-1e9, 1e9, "m"})};
-  light.radius = part(3, "a radius of", {1e-3, 1e4, "m"});
+  if (panel) {
+    for (int i = 0; i < 3; ++i) {
+      light.halfWidth[i] = part(static_cast<std::size_t>(3 + i), "half the width", {-1e4, 1e4, "m"});
+      light.halfHeight[i] = part(static_cast<std::size_t>(6 + i), "half the height", {-1e4, 1e4, "m"});
+    }
+  } else {
+    light.radius = part(3, "a radius of", {1e-3, 1e4, "m"});
+  }
   for (int c = 0; c < 3; ++c) {
-    const double candela = part(static_cast<std::size_t>(4 + c), "an intensity of", {0, 1e12, "cd"});
+    const double candela = part(parts.size() - 3 + static_cast<std::size_t>(c), "an intensity of", {0, 1e12, "cd"});
     light.intensity[c] = static_cast<float>(candela / kLuxOfSun);
+  }
+  if (panel && (light.halfWidth == glm::dvec3(0) || !pelagic::validate(std::span(&light, 1)))) {
+    refuse(where, text, "half a width and half a height of 0.001 to 10000 m at right angles, no corner below 0 m");
   }
   return light;
 }
 
 Field lightField(std::vector<pelagic::HostLight>& lights) {
   return {"light", "X,Y,Z,RADIUS,R,G,B|none",
-          fmt::format("A ball of light over the sea: place and radius in m, intensity in cd; up to {}",
+          fmt::format("A ball of light over the sea: place and radius in m, intensity in cd; or a rectangle, "
+                      "X,Y,Z,WX,WY,WZ,HX,HY,HZ,R,G,B, with half its width and height as vectors, which shines toward "
+                      "W x H; up to {}",
                       pelagic::kMostHostLights),
           [&lights](const std::string& where, const std::vector<std::string>& texts) {
             const bool none = texts.size() == 1 && texts.front() == "none";

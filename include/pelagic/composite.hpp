@@ -46,17 +46,26 @@ struct WaterMedium {
 };
 Result<void> validate(const WaterMedium& medium);
 
-/// A light of the host: a ball that shines evenly, small like a lamp or as large as a lit sail. It glitters on the sea,
-/// lights the water from within and the foam. The ball itself, and what else it shines on, are the host's to draw.
-/// Nothing stands in its way: neither waves nor the host's own objects cast shadows, and the air between it and the sea
-/// takes nothing.
+/// A light of the host: a ball that shines evenly, small like a lamp or as large as a lit sail, or a rectangle like a
+/// window or a screen, which shines on one side, as bright from wherever it is seen (Lambert's law). It glitters on the
+/// sea, lights the water from within and the foam. The light itself, and what else it shines on, are the host's to
+/// draw. Nothing but the planet stands in its way: behind the horizon it lights no water, but neither waves nor the
+/// host's own objects cast shadows, and the air between it and the sea takes nothing.
 struct HostLight {
-  glm::dvec3 position{0, 10, 0};  ///< Of its centre in the world [m]; |x|, |z| <= 1e9, y 0 … 1e5.
-  double radius = 0.1;  ///< [m], 1e-3 … 1e4; seen from the water under more than 0.1 rad, its glint is too wide.
+  /// Of its centre in the world [m]; |x|, |z| <= 1e9. y, 0 … 1e5, is its height over the still sea below it, which the
+  /// planet's curve lowers with the distance from the camera.
+  glm::dvec3 position{0, 10, 0};
+  /// Of a ball [m], 1e-3 … 1e4; seen from the water under more than 0.1 rad, its glint is too wide.
+  double radius = 0.1;
   /// Radiant intensity: its irradiance at the distance r, on a plane facing it, is intensity/r^2 [units of
-  /// pelagic/sky.hpp times m^2], 0 … 1e12 each. Where 1.28e5 lx are the sun's irradiance above the air, 1000 cd are
-  /// 0.0078. Like all light it is multiplied by twilightGain().
+  /// pelagic/sky.hpp times m^2], 0 … 1e12 each; that of a rectangle straight before it, from afar. Where 1.28e5 lx are
+  /// the sun's irradiance above the air, 1000 cd are 0.0078. Like all light it is multiplied by twilightGain().
   glm::vec3 intensity{0.01f};
+  /// In the level frame of its place. Both 0: a ball. Else half the sides of a rectangle, at right angles, each 1e-3 …
+  /// 1e4 long [m]: it shines toward cross(halfWidth, halfHeight), its corners lie at y >= 0 and `radius` is not used.
+  /// Its glint is too wide where a half is seen under more than 0.08 rad.
+  glm::dvec3 halfWidth{0};
+  glm::dvec3 halfHeight{0};
 };
 /// As many as there may be.
 inline constexpr std::size_t kMostHostLights = shader::kMostHostLights;
@@ -70,6 +79,9 @@ struct CompositeTargets {
   /// An object nearer than the water hides it and one behind it is hidden; where depth is the far value there is sky.
   std::optional<HostImage> color;
   std::optional<HostImage> depth;
+  /// Whether the host's objects are seen through the air and the clouds that lie before them, as the water is; false
+  /// for a host whose colour has its own.
+  bool airBeforeHost = true;
   /// Optional outputs, STORAGE usage, every pixel written:
   std::optional<HostImage> normal;  ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
   std::optional<HostImage> slopeVariance;  ///< rg16f or rg32f: unresolved slope variance along world x and z [1].
@@ -98,7 +110,8 @@ class Composite {
 /// One view's bindings. Move-only; must not outlive the objects it was created from.
 class CompositeView {
  public:
-  /// Errors: invalidArgument when an extent or format differs from what CompositeTargets says.
+  /// Errors: invalidArgument when an extent or format differs from what CompositeTargets says, or when sky and water
+  /// are of different planets.
   static Result<CompositeView> create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
                                       const WaterBuffer& water, const CompositeTargets& targets);
   CompositeView(CompositeView&&) noexcept;

@@ -104,6 +104,7 @@ struct SkyMaps {
   /// r16f with mips, repeats: share of the sun's light that reaches sea level through the clouds. Of the point
   /// p = (x, z) from the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
   MapView cloudShadow;
+  double planetRadius = kEarthRadius;  ///< As given to Sky::create() [m]; that of the water it is composed with.
 };
 
 /// Move-only; one thread at a time.

@@ -1,4 +1,3 @@
-#include <pelagic/shader/sky_light.h>
 #include <array>
 #include <composite/frame.hpp>
 #include <composite/fresnel_table.hpp>
@@ -46,10 +45,10 @@ constexpr gpu::BufferState kComputeReadIndirect{
     vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
     vk::AccessFlagBits2::eShaderStorageRead | vk::AccessFlagBits2::eIndirectCommandRead};
 
-/// The shaders' specialisation constants 0 … 9: which of a view's optional images there are, whether tiles foam,
+/// The shaders' specialisation constants 0 … 10: which of a view's optional images there are, whether tiles foam,
 /// whether there are a map of gains and clouds, whether a pipeline is for the night's tiles and for those behind
-/// clouds, and whether lights of the host shine.
-using Variant = std::array<std::uint32_t, 10>;
+/// clouds, whether lights of the host shine, and whether the host's objects are behind air.
+using Variant = std::array<std::uint32_t, 11>;
 constexpr std::size_t kFoaming = 4, kNight = 7, kVeiled = 8, kHostLights = 9;
 
 using TilePasses = std::array<gpu::ComputePass, shader::kTileLists>;  ///< Of each list of tiles.
@@ -254,10 +253,7 @@ Result<void> CompositeView::Impl::createEdges() {
 Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps& waves, const SkyMaps& sky,
                                             const WaterBuffer& water, const CompositeTargets& targets) {
   PELAGIC_CHECK(validate(targets, water));
-  if (sky.light == VK_NULL_HANDLE || sky.lightSize < sizeof(shader::SkyLight)) {
-    return gpu::reject("SkyMaps::light has " + std::to_string(sky.light ? sky.lightSize : 0) +
-                       " bytes, it must have at least " + std::to_string(sizeof(shader::SkyLight)));
-  }
+  PELAGIC_CHECK(validate(sky, water));
   Composite::Impl& shared = *composite.impl_;
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
@@ -270,7 +266,10 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
                         0,
                         waves.gain.view != VK_NULL_HANDLE,
                         sky.clouds.view != VK_NULL_HANDLE && sky.cloudShadow.view != VK_NULL_HANDLE,
-                        0};
+                        0,
+                        0,
+                        0,
+                        targets.color && targets.airBeforeHost};
   PELAGIC_TRY(passes, shared.passes(variant));
   impl->passes = passes;
   impl->composite = &shared;

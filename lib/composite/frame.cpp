@@ -43,6 +43,33 @@ void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept 
   frame.crestsHide = byThickness ? 1 : 0;
 }
 
+/// A vector of the level frame of a place on the planet in that of the eye, which the place is off by `tilt` radii:
+/// levelled() of water.comp undone.
+glm::dvec3 fromLevel(const glm::dvec3& d, const glm::dvec2& tilt) noexcept {
+  const double cosine = std::sqrt(1 - glm::dot(tilt, tilt)), along = d.x * tilt.x + d.z * tilt.y;
+  const glm::dvec2 side = glm::dvec2(d.x, d.z) + tilt * (d.y - along / (1 + cosine));
+  return {side.x, d.y * cosine - along, side.y};
+}
+
+void setLight(const HostLight& light, const glm::dvec3& eye, double planetRadius,
+              shader::CompositeFrame& frame) noexcept {
+  const bool panel = light.halfWidth != glm::dvec3(0) || light.halfHeight != glm::dvec3(0);
+  // What intensity belongs to: the area that a ball or the front of a rectangle shows.
+  const double area = panel ? 4 * glm::length(glm::cross(light.halfWidth, light.halfHeight))
+                            : glm::pi<double>() * light.radius * light.radius;
+  const std::uint32_t i = frame.hostLights++;
+  const glm::dvec2 tilt = glm::dvec2(light.position.x - eye.x, light.position.z - eye.z) / planetRadius;
+  if (glm::dot(tilt, tilt) >= 1) return;  // beyond what the eye's plane has of the planet: dark
+  // The height is over the sea there, which lies below the eye's plane.
+  const glm::dvec3 drop(0, glm::dot(tilt, tilt) * planetRadius / (1 + std::sqrt(1 - glm::dot(tilt, tilt))) + eye.y, 0);
+  const glm::dvec3 foot = glm::dvec3(tilt.x, 0, tilt.y) * planetRadius - drop;
+  const glm::dvec3 place = foot + fromLevel({0, light.position.y, 0}, tilt);
+  frame.hostLightPlace[i] = glm::vec4(glm::dvec4(place, panel ? 0 : light.radius));
+  frame.hostLightWidth[i] = glm::vec4(glm::dvec4(fromLevel(light.halfWidth, tilt), 0));
+  frame.hostLightHeight[i] = glm::vec4(glm::dvec4(fromLevel(light.halfHeight, tilt), 0));
+  frame.hostLightRadiance[i] = glm::vec4(glm::dvec4(glm::dvec3(light.intensity) / area, 0));
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
@@ -65,11 +92,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
-  for (const HostLight& light : lights) {
-    frame.hostLightPlace[frame.hostLights] = glm::vec4(glm::dvec4(light.position - camera.position, light.radius));
-    frame.hostLightIntensity[frame.hostLights] = glm::vec4(light.intensity, 0);
-    ++frame.hostLights;
-  }
+  for (const HostLight& light : lights) setLight(light, camera.position, planetRadius, frame);
   frame.planetRadius = radius;
   frame.width = extent.width;
   frame.height = extent.height;

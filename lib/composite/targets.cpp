@@ -1,3 +1,4 @@
+#include <pelagic/shader/sky_light.h>
 #include <composite/targets.hpp>
 #include <gpu/field.hpp>
 #include <initializer_list>
@@ -85,6 +86,20 @@ Result<void> validate(const CompositeTargets& targets, const WaterBuffer& water)
   }
   if (targets.mergedDepth) {
     PELAGIC_CHECK(checkImage(*targets.mergedDepth, name + "mergedDepth", extent, {VK_FORMAT_R32_SFLOAT}));
+  }
+  return {};
+}
+
+Result<void> validate(const SkyMaps& sky, const WaterBuffer& water) {
+  if (sky.light == VK_NULL_HANDLE || sky.lightSize < sizeof(shader::SkyLight)) {
+    return gpu::reject("SkyMaps::light has " + std::to_string(sky.light ? sky.lightSize : 0) +
+                       " bytes, it must have at least " + std::to_string(sizeof(shader::SkyLight)));
+  }
+  if (sky.planetRadius != water.planetRadius) {
+    std::ostringstream text;
+    text << "SkyMaps::planetRadius is " << sky.planetRadius << ", it must be WaterBuffer's, " << water.planetRadius
+         << " m";
+    return gpu::reject(text.str());
   }
   return {};
 }

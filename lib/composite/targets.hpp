@@ -6,6 +6,7 @@
 namespace pelagic {
 
 Result<void> validate(const CompositeTargets& targets, const WaterBuffer& water);
+Result<void> validate(const SkyMaps& sky, const WaterBuffer& water);
 Result<void> validate(const ToneMapInfo& info);
 
 }  // namespace pelagic

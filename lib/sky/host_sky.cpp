@@ -204,7 +204,7 @@ shader::SkyLight hostLight(const HostSky& sky, double haze) noexcept {
   light.mieExtinction = glm::vec4(shader::kMieExtinction * static_cast<float>(haze), shader::kMieHeight);
   light.moonDirection = light.moonLit = glm::vec4(0, -1, 0, 0);
   light.stars = glm::vec4(0, 0, 0, 1);
-  light.cloudPlace = glm::vec4(0, 0, 0, 1e9);
+  light.cloudPlace = light.cloudSun = glm::vec4(0, 0, 0, 1e9);
   return light;
 }
 

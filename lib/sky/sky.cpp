@@ -287,7 +287,8 @@ void Sky::record(VkCommandBuffer commands, double time, Timings* timings) noexce
 }
 
 SkyMaps Sky::maps() const noexcept {
-  return {impl_->radiance.map(), impl_->environment.image.map(), impl_->light.handle(), impl_->light.size(), {}, {}};
+  return {impl_->radiance.map(), impl_->environment.image.map(), impl_->light.handle(), impl_->light.size(), {}, {},
+          impl_->planetRadius};
 }
 
 }  // namespace pelagic

@@ -226,8 +226,8 @@ void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timing
 
 SkyMaps SkyView::maps() const noexcept {
   const Impl& view = *impl_;
-  return {view.radiance.map(), view.environment.image.map(), view.light.handle(), view.light.size(),
-          view.clouds.map(),   view.sky->clouds.shadow.map()};
+  return {view.radiance.map(), view.environment.image.map(),  view.light.handle(),   view.light.size(),
+          view.clouds.map(),   view.sky->clouds.shadow.map(), view.sky->planetRadius};
 }
 
 }  // namespace pelagic

@@ -12,6 +12,7 @@ layout(constant_id = 6) const bool kHasClouds = false;
 // Of the pipelines for kNightTiles and kVeiledTiles.
 layout(constant_id = 7) const bool kNight = false;
 layout(constant_id = 8) const bool kVeiled = false;
+layout(constant_id = 10) const bool kAirBeforeHost = true;
 
 layout(binding = 0, std140) uniform Frame { CompositeFrame frame; };
 layout(binding = 2, std140) uniform Light { SkyLight light; };

@@ -4,6 +4,7 @@
 #include "pelagic/shader/constants.h"
 #include "physics/ocean_brdf.glsl"
 #include "physics/optics.glsl"
+#include "physics/panel.glsl"
 
 // Mean reflectance, and its derivative by cosView.
 vec2 meanFresnel(float cosView, float deviation) {
@@ -61,17 +62,36 @@ vec3 bodyLight(SeaPoint sea, vec3 v, vec3 l, vec3 entering, vec3 behind) {
   return albedo * entering * (1.0 - frame.crestsHide * sharp * against * through) + behind * (0.35 * sharp * against) * through;
 }
 
-// What the sea mirrors of a disc of the angular radius `radius` [rad] around l that shines with `irradiance` on a plane facing
-// it; no mirror is brighter than the disc itself. `large`: it may be more than a point beside the sea's slopes.
-vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, vec3 l, vec3 irradiance, float radius, vec3 brightest, bool large) {
-  vec2 mirror = mirrorSlope(v, l);
-  vec3 h = normalize(v + l);
+// A light in the sky of a point: a disc of the angular radius `radius` [rad] around l, or a rectangle with the half-axes a and b
+// over its distance, as in physics/panel.glsl. What it is not is 0.
+struct Shining {
+  vec3 l;
+  float radius;
+  vec3 a;
+  vec3 b;
+  vec3 irradiance;  // on a plane facing it
+  vec3 radiance;
+};
+
+// What the sea mirrors of a light; no mirror is brighter than the light itself. `large`: it may be more than a point beside the
+// sea's slopes, and then it is no brighter than its mirror image.
+vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, Shining from, bool large) {
+  vec2 mirror = mirrorSlope(v, from.l);
+  vec3 h = normalize(v + from.l);
   float cosIncidence = max(dot(v, h), 0.0);
-  vec3 disc = discCovariance(mirror, l, cosIncidence, radius);
-  Visibility lit = visibility(l, sea.slope, sea.residual);
-  float glint = sunReflection(seen, lit, mirror, sea.slope, sea.residual + disc);
-  if (large) glint = min(glint, discReflectionBound(seen, lit, mirror, sea.slope, sea.residual, disc));
-  return min(irradiance * (glint * fresnelReflectance(cosIncidence, kWaterIndex)), brightest);
+  vec3 extent = discCovariance(mirror, from.l, cosIncidence, from.radius);
+  float reach = 0.0;
+  if (large) {
+    vec2 a = mirrorSlopeChange(mirror, v, from.l, from.a), b = mirrorSlopeChange(mirror, v, from.l, from.b);
+    vec2 away = mirror - sea.slope;
+    reach = discReach(extent, away) + abs(dot(a, away)) + abs(dot(b, away));
+    extent += panelCovariance(a, b);
+  }
+  Visibility lit = visibility(from.l, sea.slope, sea.residual);
+  float glint = sunReflection(seen, lit, mirror, sea.slope, sea.residual + extent);
+  if (large) glint = min(glint, reflectionBound(seen, lit, mirror, sea.slope, sea.residual, reach));
+  float fresnel = fresnelReflectance(cosIncidence, kWaterIndex);
+  return min(from.irradiance * (glint * fresnel), from.radiance * (large ? fresnel : 1.0));
 }
 
 // Radiance of the sea without foam toward v; v and l in the level frame of the point. `sunlight`: irradiance of the sun on a
@@ -96,7 +116,8 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
   float above = 1.0 / (1.0 + exp(-1.702 * clamp(centre.elevation / spread, -20.0, 20.0)));
   vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, 0.45), sky, above);
 
-  vec3 sun = mirroredLight(sea, seen, v, l, sunlight, kSunAngularRadius, light.sunRadiance.rgb, false);
+  Shining disc = Shining(l, kSunAngularRadius, vec3(0), vec3(0), sunlight, light.sunRadiance.rgb);
+  vec3 sun = mirroredLight(sea, seen, v, disc, false);
   return fresnel * frame.skyContrast * reflected + sun + (1.0 - fresnel) * bodyLight(sea, v, l, entering, horizon);
 }
 

@@ -2,8 +2,8 @@
 // Pixels without water: the sky, or the host's picture where it is nearer than the far plane.
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
+#include "composite/air.glsl"
 #include "composite/edges.glsl"
-#include "composite/sky_lookup.glsl"
 #include "composite/tiles.glsl"
 
 void main() {
@@ -22,7 +22,15 @@ void main() {
     if (light.skyIrradiance.w > 1.0) radiance += starLight(d, pixelSize);
   }
   radiance = radiance * clouds.a + clouds.rgb;
-  if (kHasHost && pixel.host) radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
+  if (kHasHost && pixel.host) {
+    radiance = texelFetch(hostColor, tile.pixel, 0).rgb;
+    if (kAirBeforeHost) {
+      vec3 place = ray * axialDistance(pixel.depth);
+      float height = max(heightOverSea(place), 0.0);
+      vec4 before = cloudsBefore(tile.pixel, height);
+      radiance = throughAir(radiance, airPlace(d), length(place), height) * before.a + before.rgb;
+    }
+  }
   writeRadiance(tile.pixel, radiance);
   if (kHasNormal) imageStore(normalImage, tile.pixel, vec4(0));
   if (kHasSlopeVariance) imageStore(slopeVarianceImage, tile.pixel, vec4(0));

@@ -2,20 +2,12 @@
 // Pixels of water: the sea's light and foam through the air.
 #extension GL_GOOGLE_include_directive : require
 #include "composite/bindings.glsl"
+#include "composite/air.glsl"
 #include "composite/edges.glsl"
-#include "composite/sky_lookup.glsl"
 #include "composite/sea_slopes.glsl"
 #include "composite/tiles.glsl"
 #include "composite/sea_light.glsl"
 #include "composite/foam.glsl"
-
-// Transmittance of the air between the eye and the water `distance` [m] away.
-vec3 airTransmittance(float distance) {
-  float height = max(frame.absorption.w, 0.0);
-  vec3 extinction = light.rayleighExtinction.rgb * meanDensity(height, light.rayleighExtinction.w) +
-                    light.mieExtinction.rgb * meanDensity(height, light.mieExtinction.w);
-  return exp(-extinction * distance);
-}
 
 // Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m].
 float sunThroughClouds(vec2 p, float side) {
@@ -48,8 +40,7 @@ void main() {
   vec3 ray = pixelRay(tile.pixel);
   float rayLength = length(ray);
   vec3 d = ray / rayLength;
-  // The air before the pixel, also before a crest over the horizon.
-  vec2 place = skyPlace(vec3(d.x, min(d.y, (frame.thickCrest.w - 1e-4) * length(d.xz)), d.z));
+  vec2 place = airPlace(d);
   float axial = axialDistance(pixel.waterDepth);
   vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
   vec3 v = levelled(-d, p);
@@ -74,7 +65,7 @@ void main() {
     radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
     normal.w = foam.cover;
   }
-  radiance = mix(skyRadiance(place), radiance, airTransmittance(axial * rayLength));
+  radiance = throughAir(radiance, place, axial * rayLength, 0.0);
   if (kVeiled) {
     vec4 clouds = cloudsBefore(tile.pixel);
     radiance = radiance * clouds.a + clouds.rgb;

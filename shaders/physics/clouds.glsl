@@ -3,6 +3,7 @@
 #ifndef PELAGIC_PHYSICS_CLOUDS_GLSL
 #define PELAGIC_PHYSICS_CLOUDS_GLSL
 #include "physics/atmosphere.glsl"
+#include "physics/air_path.glsl"
 #include "physics/formula.h"
 
 PELAGIC_PHYSICS_BEGIN
@@ -60,13 +61,6 @@ PELAGIC_FORMULA float cloudScattering(float mu, float q) {
   float once = 0.8f * henyeyGreenstein(mu, 0.85f) + 0.2f * henyeyGreenstein(mu, -0.2f);
   float twice = 0.8f * henyeyGreenstein(mu, 0.5f) + 0.2f * henyeyGreenstein(mu, -0.1f);
   return once * q2 * q2 + 0.75f * twice * q2 + (0.56f * q + 1.7f * sqrt(q)) / (4.0f * kAirPi);
-}
-
-// Mean density, relative to sea level, of an exponential atmosphere of scale height H between two altitudes [m].
-PELAGIC_FORMULA float meanDensityBetween(float a, float b, float scaleHeight) {
-  float x = (b - a) / scaleHeight;
-  float below = exp(-a / scaleHeight);
-  return abs(x) < 0.01f ? below * (1.0f - 0.5f * x) : below * (1.0f - exp(-x)) / x;
 }
 
 PELAGIC_PHYSICS_END

@@ -161,12 +161,15 @@ PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope,
   return slopeDensity(slope - mean, c) * inverseY2 * inverseY2 / (4.0f * max(denominator, 1e-6f));
 }
 
-// The most that a disc light may mirror, as sunReflection(): as if all of it stood where its edge comes nearest to the mean
-// slope, two standard deviations of the covariance `disc` from the centre's slope. The Gaussian that stands for a disc has
-// tails, which grazing views of large discs would see as light.
-PELAGIC_FORMULA float discReflectionBound(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c, vec3 disc) {
+// Of a disc's covariance in slopes: how far its edge is from its centre along `away`, times the length of that.
+PELAGIC_FORMULA float discReach(vec3 disc, vec2 away) { return 2.0f * sqrt(max(covarianceAlong(disc, away), 0.0f)); }
+
+// The most that a light may mirror, as sunReflection(): as if all of it stood where its edge comes nearest to the mean slope,
+// `reach` from its centre's slope as discReach() has it. The Gaussian that stands for a light has tails, which grazing views
+// of large ones would see as light.
+PELAGIC_FORMULA float reflectionBound(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c, float reach) {
   vec2 away = slope - mean;
-  float nearer = max(1.0f - 2.0f * sqrt(max(covarianceAlong(disc, away), 0.0f)) / max(dot(away, away), 1e-12f), 0.0f);
+  float nearer = max(1.0f - reach / max(dot(away, away), 1e-12f), 0.0f);
   return sunReflection(seen, lit, mean + nearer * away, mean, c);
 }
 

@@ -1,4 +1,4 @@
-// Light in the water and in the air over it.
+// Light in the water and at its surface.
 #ifndef PELAGIC_PHYSICS_OPTICS_GLSL
 #define PELAGIC_PHYSICS_OPTICS_GLSL
 #include "physics/fresnel.glsl"
@@ -30,13 +30,6 @@ PELAGIC_FORMULA float tintOpacity(float thickness, float leastOpacity, float opa
 PELAGIC_FORMULA vec3 enteringIrradiance(vec3 sun, float sunY, vec3 sky) {
   float y = max(sunY, 0.0f);
   return sun * (y * (1.0f - fresnelReflectance(y, kWaterIndex))) + sky * (1.0f - kDiffuseReflectance);
-}
-
-// Mean density, relative to sea level, of an exponential atmosphere of scale height H [m] along a straight path from
-// the height h >= 0 [m] to sea level.
-PELAGIC_FORMULA float meanDensity(float height, float scaleHeight) {
-  float x = height / scaleHeight;
-  return x < 0.01f ? 1.0f - 0.5f * x : (1.0f - exp(-x)) / x;
 }
 
 PELAGIC_PHYSICS_END

@@ -46,14 +46,16 @@ struct CompositeFrame {
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
   uint width;        // of the view [px]
   uint height;
-  uint tiles;                                // capacity of each list
-  float nearer;                              // 1: greater depth is nearer, -1: less is
-  vec4 hostLightPlace[kMostHostLights];      // from the eye [m]; w: radius [m]
-  vec4 hostLightIntensity[kMostHostLights];  // rgb [m^2]
-  uint hostLights;                           // that there are
-  float planetRadius;                        // at sea level [m]
-  float skyContrast;                         // factor on the sky's reflected light
-  float crestsHide;                          // 1: thin crests hide the water's colour, 0: not
+  uint tiles;                            // capacity of each list
+  float nearer;                          // 1: greater depth is nearer, -1: less is
+  vec4 hostLightPlace[kMostHostLights];  // from the eye [m]; w: radius of a ball [m], 0 of a rectangle
+  vec4 hostLightWidth[kMostHostLights];  // half-axes of a rectangle [m], 0 of a ball
+  vec4 hostLightHeight[kMostHostLights];
+  vec4 hostLightRadiance[kMostHostLights];  // rgb
+  uint hostLights;                          // that there are
+  float planetRadius;                       // at sea level [m]
+  float skyContrast;                        // factor on the sky's reflected light
+  float crestsHide;                         // 1: thin crests hide the water's colour, 0: not
 };
 
 PELAGIC_SHADER_END

@@ -72,7 +72,7 @@ void writeLight(vec3 clearSky) {
   float mu = sin(elevation);
   vec3 above = exp(-airOpticalDepth(pass.altitude, max(mu, horizonCosine(pass.altitude)), pass.haze, 64));
   vec3 high = byMoon ? strength : vec3(pass.gain);
-  light.cloudSun = vec4(above * high * (open * sunVisibility(pass.altitude, mu)), 0);
+  light.cloudSun = vec4(above * high * (open * sunVisibility(pass.altitude, mu)), 1e9);
   float moonElevation = asin(clamp(pass.moonDirection.y, -1.0, 1.0));
   light.moonDirection = vec4(pass.moonDirection.xyz, open);
   // What is lit of the disc is as bright as at full moon; thinner phases are darker in truth.

@@ -90,6 +90,10 @@ TEST_F(CloudsTest, CoverIsTheShareOfTheSkyInCloud) {
     std::size_t shaded = 0;
     for (const float light : seen.shadow) shaded += light < 0.6f;
     EXPECT_NEAR(static_cast<double>(shaded) / static_cast<double>(seen.shadow.size()), cover, 0.08) << cover;
+    // Where host and composite find the layer; without clouds it is nowhere.
+    EXPECT_EQ(seen.light.cloudPlace.w, cover == 0 ? 1e9f : static_cast<float>(stateOf(cover).clouds.base));
+    const double top = stateOf(cover).clouds.base + stateOf(cover).clouds.thickness;
+    EXPECT_EQ(seen.light.cloudSun.w, cover == 0 ? 1e9f : static_cast<float>(top));
     if (cover == 0) {
       EXPECT_EQ(seen.mean(3), 1);
       EXPECT_EQ(seen.mean(0), 0);

@@ -34,4 +34,26 @@ TEST_F(CompositePlanetTest, VerticalsTurnAroundThePlanet) {
   }
 }
 
+TEST_F(CompositePlanetTest, SkyAndWaterOfDifferentPlanetsAreRefused) {
+  const auto output =
+      common::createImage(gpu(), vk::Format::eR16G16B16A16Sfloat, {16, 16}, vk::ImageUsageFlagBits::eStorage, "output");
+  pelagic::CompositeTargets targets;
+  targets.output = output.host(common::kUndefined, common::kTransferSource);
+  pelagic::WaterBuffer water;
+  water.depth.extent = {16, 16};
+  auto composite = pelagic::Composite::create(device());
+  ASSERT_TRUE(composite) << composite.error().message;
+  const auto sky = pelagic::Sky::create(device(), {}, 2e5);
+  ASSERT_TRUE(sky) << sky.error().message;
+  const auto eye = pelagic::SkyView::create(*sky, {16, 16});
+  ASSERT_TRUE(eye) << eye.error().message;
+  for (const pelagic::SkyMaps& maps : {sky->maps(), eye->maps()}) {
+    EXPECT_EQ(maps.planetRadius, 2e5);
+    const auto view = pelagic::CompositeView::create(*composite, {}, maps, water, targets);
+    ASSERT_FALSE(view);
+    EXPECT_EQ(view.error().code, pelagic::ErrorCode::invalidArgument);
+    EXPECT_EQ(view.error().message, "SkyMaps::planetRadius is 200000, it must be WaterBuffer's, 6.371e+06 m");
+  }
+}
+
 }  // namespace

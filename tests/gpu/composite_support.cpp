@@ -126,6 +126,7 @@ void SyntheticScene::createImages() {
   momentsView_ = arrayView(*gpu_, momentsImage_);
   foamView_ = arrayView(*gpu_, foamImage_);
   radianceImage_ = image(Format::eR16G16B16A16Sfloat, patch, Usage::eSampled);
+  cloudImage_ = image(Format::eR16G16B16A16Sfloat, patch, Usage::eSampled);
   environmentImage_ = image(Format::eR16G16B16A16Sfloat, patch, Usage::eSampled);
   positionImage_ = image(Format::eR32G32Sfloat, extent, Usage::eSampled);
   bodyImage_ = image(Format::eR8Uint, extent, Usage::eSampled);
@@ -150,6 +151,7 @@ void SyntheticScene::upload() {
     clear(commands, foamImage_, {foam, 0, 0, 0});
     clear(commands, radianceImage_, sky);
     clear(commands, environmentImage_, sky);
+    clear(commands, cloudImage_, clouds.value_or(std::array<float, 4>{}));
     clear(commands, hostColorImage_, hostColor);
     for (const auto* image : {&output_, &normalImage_, &varianceImage_, &mergedImage_}) {
       clear(commands, *image, {kNan, kNan, kNan, kNan}, kFilled);
@@ -169,6 +171,8 @@ void SyntheticScene::fillMaps() {
   skyMaps_.radiance = mapOf(radianceImage_, *radianceImage_.view);
   skyMaps_.environment = mapOf(environmentImage_, *environmentImage_.view);
   if (realSky) skyMaps_ = realSky->maps();
+  skyMaps_.planetRadius = planetRadius;
+  if (clouds) skyMaps_.clouds = skyMaps_.cloudShadow = mapOf(cloudImage_, *cloudImage_.view);
   skyMaps_.light = *lightBuffer_;
   skyMaps_.lightSize = sizeof(light);
   water_.position = mapOf(positionImage_, *positionImage_.view);
@@ -197,6 +201,7 @@ void SyntheticScene::render(pelagic::Device& device) {
     targets.slopeVariance = varianceImage_.host(kFilled, common::kTransferSource);
     targets.mergedDepth = mergedImage_.host(kFilled, common::kTransferSource);
   }
+  targets.airBeforeHost = airBeforeHost;
   if (withHost) {
     targets.color = hostColorImage_.host(pelagic::kShaderRead, pelagic::kShaderRead);
     targets.depth = hostDepthImage_.host(pelagic::kShaderRead, pelagic::kShaderRead);

@@ -1,6 +1,7 @@
 /// A sea and a sky made of constants, so that what the composite stage makes of them has a closed form.
 #pragma once
 
+#include <optional>
 #include <pelagic/composite.hpp>
 
 #include "pelagic/shader/sky_light.h"
@@ -32,6 +33,8 @@ class SyntheticScene {
   std::vector<pelagic::HostLight> lights;
   double planetRadius = pelagic::kEarthRadius;
   bool withHost = false;
+  bool airBeforeHost = true;
+  std::optional<std::array<float, 4>> clouds;  ///< The same before every pixel; their shadow on the sea is their red.
   bool withOutputs = true;
 
   /// Fills the whole view with water at the axial distance w [m].
@@ -50,7 +53,7 @@ class SyntheticScene {
   void upload();
   void fillMaps();
   const common::GpuDevice* gpu_;
-  common::OwnedImage gradientImage_, momentsImage_, foamImage_, radianceImage_, environmentImage_;
+  common::OwnedImage gradientImage_, momentsImage_, foamImage_, radianceImage_, environmentImage_, cloudImage_;
   common::OwnedImage positionImage_, bodyImage_, depthImage_, hostColorImage_, hostDepthImage_;
   common::OwnedImage output_, normalImage_, varianceImage_, mergedImage_;
   vk::UniqueImageView gradientView_, momentsView_, foamView_;

@@ -1,39 +1,37 @@
-#include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "composite_support.hpp"
-#include "physics/ocean_brdf.glsl"
-#include "physics/optics.glsl"
+#include "host_light_fixture.hpp"
 
 namespace {
 
 using namespace pelagic;
 using support::SyntheticScene;
-constexpr double kPi = std::numbers::pi;
 
-class HostLightTest : public support::GpuTest {
+class BallLightTest : public support::HostLightTest {
  protected:
-  /// A rough sea 20 m before the camera and no light at all.
-  SyntheticScene darkScene(VkExtent2D extent, double yaw, double pitch) {
-    SyntheticScene scene(gpu(), extent);
-    scene.camera.position = {2100, 3, -3700};
-    scene.camera.rotation = support::lookAlong(yaw, pitch);
-    scene.fillWater(kAxial);
-    scene.sky = {0, 0, 0, 1};
-    scene.light.skyIrradiance = glm::vec4(0, 0, 0, 1);
-    scene.waves.unresolved = {kVariance, kVariance};
-    return scene;
+  /// What a point mirrors of an even ball, summed over its disc in the sky.
+  static double mirroredBall(const glm::dvec3& v, const glm::dvec3& ball, double radius, double intensity) {
+    const double distance = glm::length(ball), edge = std::asin(radius / distance);
+    const glm::dvec3 axis = ball / distance;
+    const glm::dvec3 across = glm::normalize(glm::cross(axis, glm::dvec3(0.3, -0.2, 0.9)));
+    const glm::dvec3 other = glm::cross(axis, across);
+    const double radiance = intensity / (kPi * radius * radius);
+    constexpr int kRings = 40, kSectors = 64;
+    double sum = 0;
+    for (int i = 0; i < kRings; ++i) {
+      const double angle = edge * (i + 0.5) / kRings;
+      for (int j = 0; j < kSectors; ++j) {
+        const double turn = 2 * kPi * (j + 0.5) / kSectors;
+        const glm::dvec3 around = std::cos(turn) * across + std::sin(turn) * other;
+        const double solidAngle = std::sin(angle) * edge / kRings * 2 * kPi / kSectors;
+        sum += radiance * solidAngle * mirroredFrom(v, std::cos(angle) * axis + std::sin(angle) * around);
+      }
+    }
+    return sum;
   }
-  /// World point behind a pixel.
-  static glm::dvec3 pointAt(const SyntheticScene& scene, std::uint32_t x, std::uint32_t y) {
-    const glm::dvec3 d = scene.directionAt(x, y), forward = -glm::transpose(glm::dmat3(scene.camera.rotation))[2];
-    return scene.camera.position + d * (kAxial / glm::dot(d, forward));
-  }
-  static constexpr double kAxial = 20, kVariance = 0.02;
 };
 
-TEST_F(HostLightTest, FarBallIsTheSun) {
+TEST_F(BallLightTest, FarBallIsTheSun) {
   // As large as the sun at 100 km, in a direction that tells x from z; its light in water, glint and foam.
   const glm::dvec3 toward = glm::normalize(glm::dvec3(0.55, 0.5, -0.7));
   const glm::vec3 irradiance(0.7f, 0.5f, 0.3f);
@@ -45,7 +43,7 @@ TEST_F(HostLightTest, FarBallIsTheSun) {
     sunlit.light.sunRadiance = glm::vec4(irradiance / static_cast<float>(kPi * std::pow(kSunAngularRadius, 2)), 1);
     sunlit.render(device());
     constexpr double kFar = 1e5;
-    lit.lights = {{lit.camera.position + kFar * toward, kFar * kSunAngularRadius, irradiance * 1e10f}};
+    lit.lights = {{overTheSea(lit, kFar * toward), kFar * kSunAngularRadius, irradiance * 1e10f}};
     lit.render(device());
     double brightest = 0;
     for (std::uint32_t y = 0; y < 37; ++y) {
@@ -59,7 +57,7 @@ TEST_F(HostLightTest, FarBallIsTheSun) {
   }
 }
 
-TEST_F(HostLightTest, LightFallsWithTheSquareOfTheDistance) {
+TEST_F(BallLightTest, LightFallsWithTheSquareOfTheDistance) {
   // Straight down, the light at the zenith: F E p(0)/4 from the surface, p(0) = 1/(2 pi sigma^2), and light from
   // within.
   for (const double distance : {10.0, 40.0, 160.0}) {
@@ -73,40 +71,13 @@ TEST_F(HostLightTest, LightFallsWithTheSquareOfTheDistance) {
     const double share = std::pow(0.34 / 2.34, 2);
     const double glint = share * irradiance / (4 * 2 * kPi * kVariance);
     for (int c = 0; c < 3; ++c) {
-      const double r = 0.33 * scene.medium.backscatter[c] / (scene.medium.absorption[c] + scene.medium.backscatter[c]);
-      const double under = (1 - share) * (1 - share) * irradiance * 0.96 * r / (1.34 * 1.34 * 4 * (1 - 0.48 * r));
+      const double under = (1 - share) * irradiance * leaving(scene, c);
       EXPECT_NEAR(scene.radianceAt(4, 4)[c] / (glint + under), 1, 0.03) << distance << ' ' << c;
     }
   }
 }
 
-/// What a point mirrors of an even ball, summed over its disc in the sky: there, the light is as narrow as can be.
-double mirroredBall(const glm::dvec3& v, const glm::dvec3& ball, double radius, double intensity) {
-  const glm::vec3 covariance(0.02f, 0.02f, 0), view(v);
-  const auto seen = physics::visibility(view, glm::vec2(0), covariance);
-  const double distance = glm::length(ball), edge = std::asin(radius / distance);
-  const glm::dvec3 axis = ball / distance;
-  const glm::dvec3 across = glm::normalize(glm::cross(axis, glm::dvec3(0.3, -0.2, 0.9)));
-  const glm::dvec3 other = glm::cross(axis, across);
-  const double radiance = intensity / (kPi * radius * radius);
-  constexpr int kRings = 40, kSectors = 64;
-  double sum = 0;
-  for (int i = 0; i < kRings; ++i) {
-    const double angle = edge * (i + 0.5) / kRings;
-    for (int j = 0; j < kSectors; ++j) {
-      const double turn = 2 * kPi * (j + 0.5) / kSectors;
-      const glm::vec3 l(std::cos(angle) * axis + std::sin(angle) * (std::cos(turn) * across + std::sin(turn) * other));
-      const auto lit = physics::visibility(l, glm::vec2(0), covariance);
-      const float cosIncidence = glm::dot(view, glm::normalize(view + l));
-      const double solidAngle = std::sin(angle) * edge / kRings * 2 * kPi / kSectors;
-      sum += radiance * solidAngle * physics::fresnelReflectance(cosIncidence, physics::kWaterIndex) *
-             physics::sunReflection(seen, lit, physics::mirrorSlope(view, l), glm::vec2(0), covariance);
-    }
-  }
-  return sum;
-}
-
-TEST_F(HostLightTest, GlintIsQuadratureOverTheBall) {
+TEST_F(BallLightTest, GlintIsQuadratureOverTheBall) {
   constexpr std::uint32_t kSize = 33;
   for (const double pitch : {0.35, 0.8, 1.3}) {
     for (const double angle : {0.02, 0.1, 0.2}) {
@@ -139,7 +110,7 @@ TEST_F(HostLightTest, GlintIsQuadratureOverTheBall) {
   }
 }
 
-TEST_F(HostLightTest, LargeBallsAsideMakeNoGlintOfTheirOwn) {
+TEST_F(BallLightTest, LargeBallsAsideMakeNoGlintOfTheirOwn) {
   // Seen along the sea, facets that would mirror a lamp at the side are as steep as none: quadrature has 1e-15 of the
   // glint below a lamp ahead, a Gaussian in place of the disc 0.04.
   constexpr double kFar = 50, kAngle = 0.2;
@@ -161,7 +132,7 @@ TEST_F(HostLightTest, LargeBallsAsideMakeNoGlintOfTheirOwn) {
   EXPECT_GT(ahead, 0.01);
 }
 
-TEST_F(HostLightTest, LightsAdd) {
+TEST_F(BallLightTest, LightsAdd) {
   const auto drawn = [&](const std::vector<HostLight>& lights) {
     SyntheticScene scene = darkScene({16, 16}, 0, 0.6);
     scene.lights = lights;
@@ -181,7 +152,7 @@ TEST_F(HostLightTest, LightsAdd) {
   }
 }
 
-TEST_F(HostLightTest, ErrorsNameFieldValueAndRange) {
+TEST_F(BallLightTest, ErrorsNameFieldValueAndRange) {
   auto composite = Composite::create(device()).value();
   const auto refused = [&](const HostLight& light, const std::string& sentence) {
     const HostLight lights[] = {HostLight{}, light};

@@ -284,10 +284,13 @@ TEST_F(OceanTest, HostObjectsHideAndAreHidden) {
   targets.depth = depth.host(cleared, sampled);
   targets.mergedDepth = merged.host({}, common::kTransferSource);
   Ocean ocean = create(smallOcean());
-  OceanView view = createView(ocean, targets);
+  targets.airBeforeHost = false;
+  OceanView bare = createView(ocean, targets);
+  targets.airBeforeHost = true;
+  OceanView behindAir = createView(ocean, targets);
   const glm::vec3 red{3, 0.25f, 0.125f};
   // A wall across the view at `wall` metres: reversed infinite depth is near / distance.
-  const auto render = [&](float wall) {
+  const auto render = [&](float wall, OceanView& view) {
     gpu().run([&](vk::CommandBuffer commands) {
       const auto barrier = [&](const common::OwnedImage& target, vk::ImageAspectFlags aspect) {
         const vk::ImageMemoryBarrier2 toClear({}, {}, vk::PipelineStageFlagBits2::eAllTransfer,
@@ -313,7 +316,7 @@ TEST_F(OceanTest, HostObjectsHideAndAreHidden) {
     return pixels[4 * i] == red.x && pixels[4 * i + 1] == red.y && pixels[4 * i + 2] == red.z;
   };
 
-  const auto pixels = render(25);
+  const auto pixels = render(25, bare);
   const auto depths = read(merged);
   std::uint32_t wallPixels = 0;
   for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
@@ -326,7 +329,16 @@ TEST_F(OceanTest, HostObjectsHideAndAreHidden) {
   EXPECT_GT(wallPixels, kExtent.width * kExtent.height / 3);
   EXPECT_FALSE(isRed(pixels, (kExtent.height - 1) * kExtent.width + 80));
   // Without an object (depth is the far value) the host's colour appears nowhere.
-  const auto open = render(std::numeric_limits<float>::infinity());
+  // A quarter of a percent of air lies before the wall.
+  const auto aired = render(25, behindAir);
+  for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      ASSERT_NEAR(aired[4 * i + c], pixels[4 * i + c], isRed(pixels, i) ? 0.005f * red[static_cast<int>(c)] : 0.0f)
+          << i;
+    }
+    ASSERT_EQ(isRed(aired, i), false);
+  }
+  const auto open = render(std::numeric_limits<float>::infinity(), behindAir);
   for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) ASSERT_FALSE(isRed(open, i));
 }
 

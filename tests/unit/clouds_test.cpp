@@ -60,14 +60,4 @@ TEST(Clouds, EachOrderOfScatteringCarriesItsShare) {
   EXPECT_GT(physics::cloudScattering(1, 1), 20 * physics::cloudScattering(-1, 1)) << "forward is where the sun is";
 }
 
-TEST(Clouds, MeanDensityBetweenAltitudesEqualsQuadrature) {
-  for (const auto& [a, b] : {std::pair{0.0, 1000.0}, {1000.0, 0.0}, {9000.0, 1200.0}, {50.0, 50.5}}) {
-    double sum = 0;
-    constexpr int kCount = 10000;
-    for (int i = 0; i < kCount; ++i) sum += std::exp(-(a + (b - a) * (i + 0.5) / kCount) / 1200) / kCount;
-    EXPECT_NEAR(physics::meanDensityBetween(static_cast<float>(a), static_cast<float>(b), 1200), sum, 2e-5)
-        << a << ' ' << b;
-  }
-}
-
 }  // namespace

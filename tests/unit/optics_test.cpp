@@ -48,15 +48,6 @@ TEST(Optics, EnteringIrradianceLosesWhatTheSurfaceReflects) {
   EXPECT_NEAR(physics::kDiffuseReflectance, diffuse, 1e-4);
 }
 
-TEST(Optics, MeanDensityAgreesWithQuadrature) {
-  for (const double height : {1.0, 60.0, 79.9, 80.1, 500.0, 8000.0, 1e5}) {
-    double sum = 0;
-    constexpr int kSteps = 20000;
-    for (int i = 0; i < kSteps; ++i) sum += std::exp(-height * (i + 0.5) / kSteps / 8000) / kSteps;
-    EXPECT_NEAR(physics::meanDensity(static_cast<float>(height), 8000), sum, 2e-5) << height;
-  }
-}
-
 TEST(Tone, SrgbWithinAHundredthOfAStep) {
   for (double x = 0; x <= 1; x += 0.0005) {
     const double exact = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
