@@ -199,6 +199,8 @@ Fields lightFields(Scene& scene) {
        }},
       numberField("exposure", "EV", "Radiance is multiplied by 2^EV before the tone curve", {-32, 32, "EV"},
                   scene.exposure),
+      numberField("white-balance", "K", "Light of this colour temperature becomes grey", {2000, 25000, "K"},
+                  scene.whiteBalance),
       {"metering", "off|on", "Whether the picture exposes itself to middle grey, and exposure is added: off, on",
        [&scene](const std::string& where, const std::vector<std::string>& texts) {
          if (texts.front() != "on" && texts.front() != "off") refuse(where, texts.front(), "off or on");

@@ -24,8 +24,9 @@ struct Scene {
   std::vector<pelagic::HostLight> lights;
   double planetRadius = pelagic::kEarthRadius;  ///< [m]
   View view;
-  double exposure = 0;   ///< [EV]
-  bool metered = false;  ///< The picture exposes itself, `exposure` is added.
+  double exposure = 0;         ///< [EV]
+  double whiteBalance = 6504;  ///< [K]
+  bool metered = false;        ///< The picture exposes itself, `exposure` is added.
 };
 
 /// A scene that is built into the programs, as TOML.

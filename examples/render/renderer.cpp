@@ -50,6 +50,7 @@ std::span<const pelagic::Timings::Pass> Renderer::draw(double time) {
     timings_.reset(commands);
     ocean_.record(commands, time, &timings_);
     view_->record(commands, camera_, &timings_);
+    if (toneMap_) common::unwrap(toneMap_->setWhiteBalance(info_.scene.whiteBalance));
     const auto exposure = static_cast<float>(info_.scene.exposure);
     if (toneMap_ && info_.scene.metered) toneMap_->recordMetered(commands, exposure, &timings_);
     if (toneMap_ && !info_.scene.metered) toneMap_->record(commands, exposure, &timings_);

@@ -138,6 +138,7 @@ void drawLight(common::Scene& scene, Changes& changes) {
   changes.sky |= slide("Cloud thickness [m]", scene.sky.clouds.thickness, 50, 4000, 1, "%.0f");
   changes.sky |= ImGui::InputScalar("Cloud seed", ImGuiDataType_U32, &scene.sky.clouds.seed);
   slide("Exposure [EV]", scene.exposure, -32, 32);
+  slide("White balance [K]", scene.whiteBalance, 2000, 25000, 1, "%.0f");
   ImGui::Checkbox("Metering", &scene.metered);
 }
 

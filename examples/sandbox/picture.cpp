@@ -34,6 +34,7 @@ void Picture::bind(pelagic::Ocean& ocean) {
 void Picture::record(VkCommandBuffer commands, const pelagic::Camera& camera, const common::Scene& scene,
                      pelagic::Timings& timings) {
   view_->record(commands, camera, &timings);
+  common::unwrap(toneMap_.setWhiteBalance(scene.whiteBalance));
   const auto exposure = static_cast<float>(scene.exposure);
   scene.metered ? toneMap_.recordMetered(commands, exposure, &timings) : toneMap_.record(commands, exposure, &timings);
 }

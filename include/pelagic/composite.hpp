@@ -141,6 +141,10 @@ class ToneMap {
   ToneMap& operator=(ToneMap&&) noexcept;
   ~ToneMap();
 
+  /// Light of this colour temperature [K], 2000 … 25000, becomes grey, by the Bradford transform, in what is recorded
+  /// from now on. 6504, the default, leaves colours as they are; less makes a picture bluer, more warmer, as a camera's
+  /// white balance does.
+  Result<void> setWhiteBalance(double kelvin);
   /// `exposure` in stops (EV): radiance is multiplied by 2^exposure before the curve; -32 … 32, clamped.
   void record(VkCommandBuffer commands, float exposure, Timings* timings = nullptr) noexcept;
   /// Exposes the picture by itself: the geometric mean of its luminance, of 4096 pixels each held within

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <composite/targets.hpp>
+#include <composite/white_balance.hpp>
 #include <gpu/barrier.hpp>
 #include <gpu/compute_pass.hpp>
+#include <gpu/field.hpp>
 
 #include "composite_meter_comp.spv.hpp"
 #include "composite_tone_map_comp.spv.hpp"
@@ -17,6 +19,7 @@ struct ToneMap::Impl {
   gpu::Buffer gain;  ///< One float, 2^EV.
   gpu::ComputePass meter, pass;
   gpu::DescriptorSet meterSet, set;
+  glm::mat3x4 whiteBalance{1};
 
   /// `setGain` records what writes the gain, in the state `written`.
   template <class SetGain>
@@ -45,7 +48,8 @@ Result<ToneMap> ToneMap::create(Device& device, const ToneMapInfo& info) {
   meterSet.sampled(0, info.input.view, *sampler);
   meterSet.buffer(1, gain.handle());
   const gpu::Binding bindings[] = {{0, sampled}, {1, vk::DescriptorType::eStorageImage}, {2, buffer}};
-  PELAGIC_TRY(pass, gpu::ComputePass::create(context, {"tone map", shaders::composite_tone_map_comp, bindings, 0, {}}));
+  PELAGIC_TRY(pass, gpu::ComputePass::create(
+                        context, {"tone map", shaders::composite_tone_map_comp, bindings, sizeof(glm::mat3x4), {}}));
   PELAGIC_TRY(set, pass.createSet("tone map"));
   set.sampled(0, info.input.view, *sampler);
   set.storageImage(1, info.output.view);
@@ -69,12 +73,19 @@ void ToneMap::Impl::record(vk::CommandBuffer commands, Timings* timings, const g
   setGain();
   gpu::Barrier().buffer(gain, gpu::kComputeRead).record(*context, commands);
   pass.bind(commands, set);
+  pass.push(commands, whiteBalance);
   pass.dispatch(commands, gpu::groups(output.extent.width, 8), gpu::groups(output.extent.height, 8));
   gpu::Barrier()
       .image(input.image, aspect, gpu::kComputeSampled, input.after)
       .image(output.image, aspect, gpu::kComputeStorageWrite, output.after)
       .record(*context, commands);
   if (timings) timings->end(commands);
+}
+
+Result<void> ToneMap::setWhiteBalance(double kelvin) {
+  PELAGIC_CHECK(gpu::check("", {{"white balance", kelvin, 2000, 25000, "2000 to 25000 K"}}));
+  impl_->whiteBalance = glm::mat3x4(glm::transpose(whiteBalance(kelvin)));
+  return {};
 }
 
 void ToneMap::record(VkCommandBuffer commandBuffer, float exposure, Timings* timings) noexcept {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <pelagic/composite.hpp>
 
+#include "composite/white_balance.hpp"
 #include "physics/tone.glsl"
 #include "support/gpu_test.hpp"
 
@@ -11,7 +12,7 @@ using namespace pelagic;
 class ToneMapTest : public support::GpuTest {
  protected:
   /// 8-bit values (RGBA, 0 … 255) of a picture of one radiance.
-  std::vector<float> map(float radiance, float exposure, bool metered = false) {
+  std::vector<float> map(float radiance, float exposure, bool metered = false, double kelvin = 6504) {
     const vk::Extent2D extent{48, 48};
     using Usage = vk::ImageUsageFlagBits;
     const auto input = common::createImage(gpu(), vk::Format::eR32G32B32A32Sfloat, extent,
@@ -23,6 +24,7 @@ class ToneMapTest : public support::GpuTest {
     auto tone = ToneMap::create(
         device(), {input.host(cleared, kShaderRead), output.host(common::kUndefined, common::kTransferSource)});
     EXPECT_TRUE(tone) << tone.error().message;
+    EXPECT_TRUE(tone->setWhiteBalance(kelvin));
     gpu().run([&](vk::CommandBuffer commands) {
       const vk::ImageSubresourceRange range(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
       const vk::ImageMemoryBarrier2 barrier({}, {}, vk::PipelineStageFlagBits2::eAllTransfer,
@@ -49,6 +51,18 @@ double display(double x) {
   const double p = std::pow(x, 1.25);
   const double y = p / (p + std::pow(0.18, 1.25) * (1 / 0.18 - 1));
   return 255 * (y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055);
+}
+
+// At 4500 K daylight is blue.
+TEST_F(ToneMapTest, WhiteBalance) {
+  const glm::dvec3 expected = whiteBalance(4500) * glm::dvec3(0.2);
+  ASSERT_LT(expected.r, 0.9 * expected.b);
+  const auto values = map(0.2f, 0, false, 4500);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (std::size_t i = c; i < values.size(); i += 4) sum += static_cast<double>(values[i]);
+    EXPECT_NEAR(sum / (static_cast<double>(values.size()) / 4), display(expected[static_cast<int>(c)]), 0.1) << c;
+  }
 }
 
 TEST_F(ToneMapTest, MeanOfTheDitherIsTheValue) {
