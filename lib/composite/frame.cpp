@@ -43,10 +43,28 @@ void setLook(const WaterMedium& medium, shader::CompositeFrame& frame) noexcept 
   frame.crestsHide = byThickness ? 1 : 0;
 }
 
+/// Of the slopes' covariance, what maps sampled at footprints of rising powers of two show.
+void setResolved(const WaveMaps& waves, shader::CompositeFrame& frame) noexcept {
+  const double size = waves.layout.size;
+  const double finest = waves.layout.cascades[waves.layout.count - 1].length / size;
+  for (std::uint32_t i = 0; i < shader::kFootprints; ++i) {
+    glm::dvec3 shown(0);
+    for (std::uint32_t c = 0; c < waves.layout.count; ++c) {
+      const ResolvedShare& share = waves.resolvedShare[c];
+      const double lod = std::max(std::log2(std::exp2(i) * finest * size / waves.layout.cascades[c].length), 0.0);
+      const std::size_t mip = static_cast<std::size_t>(lod);
+      const auto at = [&](std::size_t index) { return index < share.size() ? share[index] : 0.0; };
+      shown += glm::mix(at(mip), at(mip + 1), lod - static_cast<double>(mip)) * waves.slopeCovariance[c];
+    }
+    frame.resolved[i] = glm::vec4(glm::dvec4(shown, 0));
+  }
+  frame.sheet.y = static_cast<float>(1 / finest);
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, double planetRadius,
+                                      VkExtent2D extent, const SurfaceInfo& sheet,
                                       std::span<const HostLight> lights) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
@@ -56,7 +74,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
   frame.thinCrest.w = static_cast<float>(streaks);
-  const float height = std::max(static_cast<float>(camera.position.y), 0.0f), radius = static_cast<float>(planetRadius);
+  const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
+  const float radius = static_cast<float>(sheet.planetRadius);
   frame.thickCrest.w = shader::horizonElevation(height, radius);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
@@ -71,6 +90,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
     ++frame.hostLights;
   }
   frame.planetRadius = radius;
+  setResolved(waves, frame);
+  frame.sheet.x = sheet.targetEdge;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

@@ -69,8 +69,8 @@ vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, vec3 l, vec3 irradianc
   float cosIncidence = max(dot(v, h), 0.0);
   vec3 disc = discCovariance(mirror, l, cosIncidence, radius);
   Visibility lit = visibility(l, sea.slope, sea.residual);
-  float glint = sunReflection(seen, lit, mirror, sea.slope, sea.residual + disc);
-  if (large) glint = min(glint, discReflectionBound(seen, lit, mirror, sea.slope, sea.residual, disc));
+  float glint = sunReflection(seen, lit, v, mirror, sea.slope, sea.residual + disc);
+  if (large) glint = min(glint, discReflectionBound(seen, lit, v, mirror, sea.slope, sea.residual, disc));
   return min(irradiance * (glint * fresnelReflectance(cosIncidence, kWaterIndex)), brightest);
 }
 

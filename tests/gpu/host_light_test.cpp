@@ -100,7 +100,7 @@ double mirroredBall(const glm::dvec3& v, const glm::dvec3& ball, double radius, 
       const float cosIncidence = glm::dot(view, glm::normalize(view + l));
       const double solidAngle = std::sin(angle) * edge / kRings * 2 * kPi / kSectors;
       sum += radiance * solidAngle * physics::fresnelReflectance(cosIncidence, physics::kWaterIndex) *
-             physics::sunReflection(seen, lit, physics::mirrorSlope(view, l), glm::vec2(0), covariance);
+             physics::sunReflection(seen, lit, view, physics::mirrorSlope(view, l), glm::vec2(0), covariance);
     }
   }
   return sum;
