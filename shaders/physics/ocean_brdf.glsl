@@ -183,6 +183,14 @@ PELAGIC_FORMULA Mirrored mirroredBy(vec2 s, vec3 v) {
   return r;
 }
 
+// Share of the facets that mirror what is above the horizon, where their mean mirrors from the height r.y = `elevation` and
+// `spread` is the deviation of that: the normal distribution as a logistic curve. What the others mirror is sea, which
+// returns kSecondBounce of the same sky and has its own light.
+PELAGIC_FORMULA_CONSTANT float kSecondBounce = 0.45f;
+PELAGIC_FORMULA float shareAboveHorizon(float elevation, float spread) {
+  return 1.0f / (1.0f + exp(-1.702f * clamp(elevation / spread, -20.0f, 20.0f)));
+}
+
 // Covariance that a disc light of angular radius `radius` [rad] adds to the slopes that mirror it: r^2/16 in the plane of
 // incidence, r^2/(16 cos^2) across, carried from the half vector h (cos: of v to h) to slopes.
 PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, float radius) {
