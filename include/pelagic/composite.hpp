@@ -63,7 +63,7 @@ struct HostLight {
   glm::vec3 intensity{0.01f};
   /// In the level frame of its place. Both 0: a ball. Else half the sides of a rectangle, at right angles, each 1e-3 …
   /// 1e4 long [m]: it shines toward cross(halfWidth, halfHeight), its corners lie at y >= 0 and `radius` is not used.
-  /// Its glint is too wide where a half is seen under more than 0.08 rad.
+  /// Its glint is too wide where a half is seen under more than 0.075 rad.
   glm::dvec3 halfWidth{0};
   glm::dvec3 halfHeight{0};
 };

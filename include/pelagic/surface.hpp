@@ -27,6 +27,8 @@ struct WaterBuffer {
   /// d32f: depth as the camera's projection writes it; cleared to the far value.
   MapView depth;
   double planetRadius = kEarthRadius;  ///< As SurfaceInfo::planetRadius.
+  /// As SurfaceInfo::targetEdge [px]. 0: the depth has whatever waves the pixels resolve.
+  float targetEdge = 0;
 };
 
 /// Pipelines shared by all views. Move-only; one thread at a time.

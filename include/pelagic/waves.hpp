@@ -18,6 +18,9 @@ inline constexpr std::uint32_t kMaxCascades = 8;
 /// coarser than these, whose texels are longer than any wave (waveLayout()), nothing is left to be lost.
 using InterpolationLoss = std::array<double, 8>;
 
+/// Share of it that is seen there, sampled linearly; coarser mips show nothing.
+using ResolvedShare = std::array<double, 8>;
+
 /// One FFT patch: an axis-aligned square of the sea, repeated.
 struct Cascade {
   double length = 0;  ///< L [m]; sample (i,j) lies at x = j L/N, z = i L/N.
@@ -99,6 +102,8 @@ struct WaveMaps {
   /// By how much of it a linear filter smooths the gradients of each mip, in the mean over places between the texels.
   /// `moments` holds what is lost within texels alone: add this times slopeCovariance where maps are sampled linearly.
   std::array<InterpolationLoss, kMaxCascades> interpolationLoss{};
+  /// What of it the gradients of each mip show.
+  std::array<ResolvedShare, kMaxCascades> resolvedShare{};
   /// Standard deviation of the elevation [m], Hs/4 on the grid, where the gain is largest, or more where trochoids may
   /// meet; no crest is expected above 6 of them.
   double elevationDeviation = 0;

@@ -87,7 +87,7 @@ struct CompositeView::Impl {
   const Passes* passes = nullptr;
   const Composite::Impl* composite = nullptr;
   CompositeTargets targets;
-  double planetRadius = kEarthRadius;
+  SurfaceInfo sheet;  ///< That the water was drawn with.
   gpu::Buffer frame;
   gpu::Buffer tiles;
   gpu::Image shaded;  ///< The output where the surface breaks off: shaders/composite/edges.glsl.
@@ -258,7 +258,8 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
   impl->targets = targets;
-  impl->planetRadius = water.planetRadius;
+  impl->sheet.planetRadius = water.planetRadius;
+  impl->sheet.targetEdge = water.targetEdge;
   const Variant variant{targets.color.has_value(),
                         targets.normal.has_value(),
                         targets.slopeVariance.has_value(),
@@ -348,8 +349,7 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     if (timings) timings->end(commandBuffer);
   };
   measured("composite classify", [&] {
-    view.recordInputs(commands,
-                      compositeFrame(waves, camera, medium, extent, view.planetRadius, view.composite->lights));
+    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent, view.sheet, view.composite->lights));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
     // A tile an invocation, 8 x 8 of them a group.

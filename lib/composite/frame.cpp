@@ -70,10 +70,28 @@ void setLight(const HostLight& light, const glm::dvec3& eye, double planetRadius
   frame.hostLightRadiance[i] = glm::vec4(glm::dvec4(glm::dvec3(light.intensity) / area, 0));
 }
 
+/// Of the slopes' covariance, what maps sampled at footprints of rising powers of two show.
+void setResolved(const WaveMaps& waves, shader::CompositeFrame& frame) noexcept {
+  const double size = waves.layout.size;
+  const double finest = waves.layout.cascades[waves.layout.count - 1].length / size;
+  for (std::uint32_t i = 0; i < shader::kFootprints; ++i) {
+    glm::dvec3 shown(0);
+    for (std::uint32_t c = 0; c < waves.layout.count; ++c) {
+      const ResolvedShare& share = waves.resolvedShare[c];
+      const double lod = std::max(std::log2(std::exp2(i) * finest * size / waves.layout.cascades[c].length), 0.0);
+      const std::size_t mip = static_cast<std::size_t>(lod);
+      const auto at = [&](std::size_t index) { return index < share.size() ? share[index] : 0.0; };
+      shown += glm::mix(at(mip), at(mip + 1), lod - static_cast<double>(mip)) * waves.slopeCovariance[c];
+    }
+    frame.resolved[i] = glm::vec4(glm::dvec4(shown, 0));
+  }
+  frame.sheet.y = static_cast<float>(1 / finest);
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, double planetRadius,
+                                      VkExtent2D extent, const SurfaceInfo& sheet,
                                       std::span<const HostLight> lights) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
@@ -83,7 +101,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
   frame.thinCrest.w = static_cast<float>(streaks);
-  const float height = std::max(static_cast<float>(camera.position.y), 0.0f), radius = static_cast<float>(planetRadius);
+  const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
+  const float radius = static_cast<float>(sheet.planetRadius);
   frame.thickCrest.w = shader::horizonElevation(height, radius);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
@@ -92,8 +111,10 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
-  for (const HostLight& light : lights) setLight(light, camera.position, planetRadius, frame);
+  for (const HostLight& light : lights) setLight(light, camera.position, sheet.planetRadius, frame);
   frame.planetRadius = radius;
+  setResolved(waves, frame);
+  frame.sheet.x = sheet.targetEdge;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

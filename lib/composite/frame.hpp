@@ -9,7 +9,7 @@
 namespace pelagic {
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, double planetRadius,
+                                      VkExtent2D extent, const SurfaceInfo& sheet,
                                       std::span<const HostLight> lights) noexcept;
 
 }  // namespace pelagic

@@ -293,8 +293,12 @@ void SurfaceView::record(VkCommandBuffer commands, const WaveMaps& maps, const C
 }
 
 WaterBuffer SurfaceView::buffer() const noexcept {
-  return {impl_->position.map(), impl_->surface->info.motionVectors ? impl_->motion.map() : MapView{},
-          impl_->body.map(), impl_->depth.map(), impl_->surface->info.planetRadius};
+  return {impl_->position.map(),
+          impl_->surface->info.motionVectors ? impl_->motion.map() : MapView{},
+          impl_->body.map(),
+          impl_->depth.map(),
+          impl_->surface->info.planetRadius,
+          impl_->surface->info.targetEdge};
 }
 
 VkBuffer SurfaceView::drawArguments() const noexcept { return impl_->arguments.handle(); }

@@ -140,6 +140,7 @@ GridSea makeGridSea(const SeaState& sea, const WavesInfo& info) {
     grid.constants.insert(grid.constants.end(), modes.constants.begin(), modes.constants.end());
     grid.moments.slopes[c] = moments.slopes;
     grid.moments.interpolationLoss[c] = interpolationLoss(modes, layout.size);
+    grid.moments.resolvedShare[c] = resolvedShare(modes, layout.size);
     grid.moments.elevation += moments.elevation;
     grid.moments.horizontal += moments.horizontal;
     grid.cascades[c].waveNumberStep = static_cast<float>(kTwoPi / layout.cascades[c].length);

@@ -16,7 +16,8 @@ struct SeaMoments {
   double trochoidHeight = 0;
   double trochoidReach = 0;
   std::array<glm::dvec3, kMaxCascades> slopes{};
-  std::array<InterpolationLoss, kMaxCascades> interpolationLoss{};  ///< As in WaveMaps.
+  std::array<InterpolationLoss, kMaxCascades> interpolationLoss{};  ///< As in WaveMaps, and
+  std::array<ResolvedShare, kMaxCascades> resolvedShare{};          ///< this.
 };
 
 /// Standard deviation of the elevation, and of the length of the horizontal displacement [m], or as much more as puts

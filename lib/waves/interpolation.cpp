@@ -19,12 +19,12 @@ Response responseOf(double angle, std::uint32_t mip) noexcept {
   return {mean * mean, (2 + std::cos(samples * angle)) / 3};
 }
 
-}  // namespace
-
-InterpolationLoss interpolationLoss(const CascadeModes& modes, std::uint32_t size) {
-  InterpolationLoss loss{};
+/// Of every mip, the mean of weigh(x, z) over the modes' slopes, of their responses along both axes.
+template <class Weigh>
+std::array<double, 8> meanOverSlopes(const CascadeModes& modes, std::uint32_t size, Weigh weigh) {
+  std::array<double, 8> means{};
   std::vector<Response> responses(size);
-  for (std::uint32_t mip = 0; mip < loss.size(); ++mip) {
+  for (std::uint32_t mip = 0; mip < means.size(); ++mip) {
     for (std::uint32_t i = 0; i < size; ++i) {
       responses[i] = responseOf(2 * std::numbers::pi * modeOf(i, size) / size, mip);
     }
@@ -34,14 +34,25 @@ InterpolationLoss interpolationLoss(const CascadeModes& modes, std::uint32_t siz
         const double variance = modes.variance[std::size_t{row} * size + column];
         if (variance == 0) continue;
         const double slope = variance * (std::pow(modeOf(column, size), 2) + std::pow(modeOf(row, size), 2));
-        const Response &x = responses[column], &z = responses[row];
         slopes += slope;
-        loss[mip] += slope * x.mean * z.mean * (1 - x.between * z.between);
+        means[mip] += slope * weigh(responses[column], responses[row]);
       }
     }
-    if (slopes > 0) loss[mip] /= slopes;
+    if (slopes > 0) means[mip] /= slopes;
   }
-  return loss;
+  return means;
+}
+
+}  // namespace
+
+InterpolationLoss interpolationLoss(const CascadeModes& modes, std::uint32_t size) {
+  return meanOverSlopes(
+      modes, size, [](const Response& x, const Response& z) { return x.mean * z.mean * (1 - x.between * z.between); });
+}
+
+ResolvedShare resolvedShare(const CascadeModes& modes, std::uint32_t size) {
+  return meanOverSlopes(modes, size,
+                        [](const Response& x, const Response& z) { return x.mean * z.mean * x.between * z.between; });
 }
 
 }  // namespace pelagic

@@ -7,5 +7,7 @@ namespace pelagic {
 
 /// As WaveMaps::interpolationLoss, of one cascade.
 InterpolationLoss interpolationLoss(const CascadeModes& modes, std::uint32_t size);
+/// As WaveMaps::resolvedShare, of one cascade.
+ResolvedShare resolvedShare(const CascadeModes& modes, std::uint32_t size);
 
 }  // namespace pelagic

@@ -133,6 +133,7 @@ SeaMoments SeaChange::momentsAt(double share) const noexcept {
     slopes.z = std::clamp(slopes.z, -most, most);
     for (std::size_t mip = 0; mip < mixed.interpolationLoss[c].size(); ++mip) {
       mixed.interpolationLoss[c][mip] = glm::mix(a.interpolationLoss[c][mip], b.interpolationLoss[c][mip], share);
+      mixed.resolvedShare[c][mip] = glm::mix(a.resolvedShare[c][mip], b.resolvedShare[c][mip], share);
     }
   }
   return mixed;

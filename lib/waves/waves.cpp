@@ -179,6 +179,7 @@ WaveMaps Waves::maps() const noexcept {
   maps.unresolved = impl_->sea.unresolvedAt(share);
   maps.slopeCovariance = moments.slopes;
   maps.interpolationLoss = moments.interpolationLoss;
+  maps.resolvedShare = moments.resolvedShare;
   maps.elevationDeviation = impl_->largestGain * elevationDeviation(moments);
   maps.horizontalDeviation = impl_->largestGain * horizontalDeviation(moments);
   maps.foamDecline = impl_->sea.foamDeclineAt(share);

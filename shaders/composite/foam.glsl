@@ -75,7 +75,7 @@ Foam foamAt(float freshness, vec2 p, float across, vec2 along) {
   Foam foam;
   foam.cover = min(share * 50.0, 1.0) * cover / float(kFoamTaps);
   // And thinner with age.
-  foam.albedo = mix(0.2, 0.78, thickness * mix(0.4, 1.0, smoothstep(0.4, 0.85, freshness)));
+  foam.albedo = mix(0.25, 0.78, thickness * mix(0.5, 1.0, smoothstep(0.4, 0.85, freshness)));
   return foam;
 }
 

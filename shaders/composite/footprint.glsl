@@ -22,6 +22,21 @@ const float kFoamGrain = 2.0;
 // Pixels wider than this part of a patch see its foam strewn, from twice that on altogether.
 const float kStrewnFootprint = 700.0;
 
+// Covariance of the slopes that maps sampled at the footprint [m] show, as expected.
+vec3 resolvedCovariance(float footprint) {
+  float place = clamp(log2(max(footprint * frame.sheet.y, 1.0)), 0.0, float(kFootprints) - 1.001);
+  uint i = uint(place);
+  return mix(frame.resolved[i].xyz, frame.resolved[i + 1u].xyz, place - float(i));
+}
+
+// The same of what pixels `across` wide [m] show at the footprint `side` and the sheet is too coarse for, whose cells are as
+// long as lib/surface/rows.hpp says where a flat sea is seen at the sine `height`.
+vec3 withoutRelief(float side, float across, float height) {
+  float waves = clamp(1.0 - across / max(frame.waves.unresolved.w, 1e-6), 0.0, 1.0);
+  float cell = frame.sheet.x * across / (height + min(0.25, 16.0 * height) * waves);
+  return resolvedCovariance(side) - resolvedCovariance(max(cell, side));
+}
+
 // Cascades, counted from the longest, of which something is left at the footprint.
 uint cascadesToSample(float footprint) {
   uint count = 0u;

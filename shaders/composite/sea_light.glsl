@@ -88,8 +88,8 @@ vec3 mirroredLight(SeaPoint sea, Visibility seen, vec3 v, Shining from, bool lar
     extent += panelCovariance(a, b);
   }
   Visibility lit = visibility(from.l, sea.slope, sea.residual);
-  float glint = sunReflection(seen, lit, mirror, sea.slope, sea.residual + extent);
-  if (large) glint = min(glint, reflectionBound(seen, lit, mirror, sea.slope, sea.residual, reach));
+  float glint = sunReflection(seen, lit, v, mirror, sea.slope, sea.residual + extent);
+  if (large) glint = min(glint, reflectionBound(seen, lit, v, mirror, sea.slope, sea.residual, reach));
   float fresnel = fresnelReflectance(cosIncidence, kWaterIndex);
   return min(from.irradiance * (glint * fresnel), from.radiance * (large ? fresnel : 1.0));
 }
@@ -111,10 +111,10 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
   vec2 slope = sea.slope + facets.shift - 0.7 * reflectance.y / fresnel * covarianceTimes(facets.covariance, v.xz);
   Mirrored centre = mirroredBy(slope, v);
   vec3 sky = environment(centre, facets.covariance);
-  // Part of the facets mirror what lies below the horizon, which is sea: it returns nearly half of the same sky.
+  // Part of the facets mirror what lies below the horizon, which is sea.
   float spread = 2.0 * sqrt(max(covarianceAlong(facets.covariance, v.xz * perHorizontal), 1e-8));
-  float above = 1.0 / (1.0 + exp(-1.702 * clamp(centre.elevation / spread, -20.0, 20.0)));
-  vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, 0.45), sky, above);
+  float above = shareAboveHorizon(centre.elevation, spread);
+  vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, kSecondBounce), sky, above);
 
   Shining disc = Shining(l, kSunAngularRadius, vec3(0), vec3(0), sunlight, light.sunRadiance.rgb);
   vec3 sun = mirroredLight(sea, seen, v, disc, false);

@@ -62,18 +62,18 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     float lost = 1.0 - power + power * frame.waves.interpolationLoss[2u * c + (mip >> 2)][mip & 3u];
     // Shorter waves by the longer ones they ride on, which the Jacobian below shortens besides.
     float together = -(gradient.z + gradient.w);
-    float steepness = shortWaveSteepness(together);
-    float shown = kept * steepness * max(1.0 - together, 0.0);
+    float variance = shortWaveVariance(together);
+    float shown = kept * sqrt(variance) * max(1.0 - together, 0.0);
     float gain = gainAt(p, c);
     gradient += gain * (shown * g);
     // Precise: the same with kGain and without.
-    precise vec3 left = steepness * steepness * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz);
+    precise vec3 left = variance * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz);
     moments += gain * vec4(gain * left, shown * m.w);
   } while (++c < cascades);
-  float steepness = shortWaveSteepness(-(gradient.z + gradient.w));
+  float variance = shortWaveVariance(-(gradient.z + gradient.w));
   for (; c < frame.waves.cascades; ++c) {
     float gain = gainAt(p, c);
-    precise vec3 left = steepness * steepness * frame.waves.slopeCovariance[c].xyz;
+    precise vec3 left = variance * frame.waves.slopeCovariance[c].xyz;
     moments.xyz += gain * gain * left;
   }
   if (kFoaming) {
@@ -98,7 +98,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   // Waves that no cascade holds are like the shortest that one does.
   float shortest = gainAt(p, frame.waves.cascades - 1u);
-  precise vec3 tail = steepness * steepness * frame.waves.unresolved.xyz;
+  precise vec3 tail = variance * frame.waves.unresolved.xyz;
   sea.residual = moments.xyz + shortest * shortest * tail;
   sea.compression = -(gradient.z + gradient.w);
   sea.foam = 1.0 - foamFree;

@@ -51,17 +51,22 @@ void main() {
   float a = distanceToNeighbour(tile.pixel - ivec2(0, 1), p);
   float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
   float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
-  float side = footprintSide(across, across / max(along, across));
+  float slant = across / max(along, across);
+  float side = footprintSide(across, slant);
   SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
+  vec4 normal = vec4(sea.normal, 0);
+  // What is seen of it; the slant tells how the sheet lies, neighbours being on the same cell mostly.
+  vec3 unseen = withoutRelief(side, across, max(v.y, frame.waves.unresolved.w / axial));
+  sea.slope = facingSlope(sea.slope, v, slant, unseen);
+  sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
   HostLit lit = kNoHostLight;
   if (kHostLights) lit = hostLit(sea, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
-  vec4 normal = vec4(sea.normal, 0);
   if (kFoaming) {
     vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
     Foam foam = foamAt(sea.foam, p, across, along * away);
-    vec3 foamLight = sun * max(dot(sea.normal, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
+    vec3 foamLight = sun * max(dot(normal.xyz, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
     radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
     normal.w = foam.cover;
   }

@@ -5,11 +5,15 @@
 
 PELAGIC_PHYSICS_BEGIN
 
-// Steepness of the short waves where longer ones push the water together by a = -div D, per their mean [1]: ripples are steep
-// on crests and lie calm in troughs. A long wave of slope K A makes those that it carries shorter by 1 + K A cos, and since
-// their action is kept as much higher (Longuet-Higgins & Stewart 1960). In the mean over the sea's surface, of which a crest
-// takes up less by 1 - a, the square of 1 + 2a is 1, and their slope variance what it was.
-PELAGIC_FORMULA float shortWaveSteepness(float a) { return max(1.0f + 2.0f * a, 0.0f); }
+// Slope variance of the short waves where longer ones push the water together by a = -div D, per their mean [1]: ripples are
+// steep on crests and lie calm in troughs. A long wave of slope K A makes those that it carries shorter by 1 + K A cos, and
+// since their action is kept as much higher (Longuet-Higgins & Stewart 1960), which is 4 a. The wind restores them on the
+// way: three quarters of it are left here, since with all of it the far sea under a low sun would be 3 % brighter where pixels
+// resolve the longer waves than where they do not. The part in a^2 keeps the mean over the sea's surface, of which a crest
+// takes up less by 1 - a.
+PELAGIC_FORMULA_CONSTANT float kShortWaveModulation = 3.0f;
+
+PELAGIC_FORMULA float shortWaveVariance(float a) { return 1.0f + kShortWaveModulation * a * (1.0f + a); }
 
 PELAGIC_PHYSICS_END
 #endif

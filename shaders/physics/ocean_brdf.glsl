@@ -44,6 +44,40 @@ PELAGIC_FORMULA float scaledTail(float z) {
          (0.254829592f + t * (-0.284496736f + t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f))));
 }
 
+// Which facets are seen. Smith's law hides one facet as well as another; on a sea, whose waves carry ever smaller ones, a
+// facet is in sight when all the longer waves it sits on face the viewer as well. From the long waves to the short X is a
+// random walk that starts at mu and ends where it turns away, so that by the principle of reflection a facet of X is seen in
+// proportion to max(X,0) (1 - exp(-2 (X + b tau)(mu + b tau)/tau^2)): Smith's law has b = infinity, a continuous walk 0. A
+// walk of n steps has b = 0.58/sqrt(n) (Broadie, Glasserman & Kou 1997). 0.2 is what surfaces traced by rays show whose
+// shortest waves are 1/30 as long as the longest.
+PELAGIC_FORMULA_CONSTANT float kSightMargin = 0.2f;
+
+// What is in sight of x = X/tau: its density is x (phi(x - z) - phi(x + y)) with y = z + 2b, what Smith's law sees less its
+// image; z = mu/tau >= 0.
+struct Sight {
+  float area;      // integral of the density [1]
+  float mean;      // of x
+  float variance;  // of x, 0.4 ... 1
+};
+
+// `density`, `fraction`: phi(z) and Phi(z).
+PELAGIC_FORMULA Sight sightOf(float z, float density, float fraction) {
+  float y = min(z + 2.0f * kSightMargin, 12.0f);
+  float imageDensity = 0.39894228f * exp(-0.5f * y * y);
+  float tail = 2.50662827f * imageDensity * scaledTail(y);
+  // Of the image: area, and first and second moments of x about z.
+  float area = imageDensity - y * tail;
+  float first = (y * y + 1.0f) * tail - y * imageDensity;
+  float second = (y * y + 2.0f) * imageDensity - (y * y + 3.0f) * y * tail - z * (2.0f * first - z * area);
+  first -= z * area;
+  Sight r;
+  r.area = z * fraction + density - area;
+  float from = (fraction - first) / r.area;
+  r.mean = z + from;
+  r.variance = 1.0f + (density + area - second) / r.area - from * from;
+  return r;
+}
+
 // What a direction sees of the slopes.
 struct Visibility {
   float mean;        // mu: area of the mean facet seen, per unit of the plane [1]; negative: turned away
@@ -51,7 +85,13 @@ struct Visibility {
   float area;        // E[max(X,0)] [1]
   float fraction;    // Phi(mu/tau): share of the facets that face the direction [1]
   float density;     // phi(mu/tau) [1]
+  float inSight;     // area of what longer waves do not hide either [1]; of a mean facet turned away that of one edge on
 };
+
+// A mean facet turned away is seen as one edge on.
+PELAGIC_FORMULA Sight sightOfFacet(Visibility r) {
+  return r.mean > 0.0f ? sightOf(r.mean / r.deviation, r.density, r.fraction) : sightOf(0.0f, 0.39894228f, 0.5f);
+}
 
 PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
   Visibility r;
@@ -66,6 +106,7 @@ PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
   r.fraction = z >= 0.0f ? 1.0f - tail : tail;
   // Turned far away both terms cancel; the asymptote of the Gaussian's second integral does not.
   r.area = z < -3.0f ? r.deviation * r.density / (a * a + 3.0f) : r.mean * r.fraction + r.deviation * r.density;
+  r.inSight = r.deviation * sightOfFacet(r).area;
   return r;
 }
 
@@ -73,13 +114,12 @@ PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
 // facet turned toward the light.
 PELAGIC_FORMULA float smithLambda(Visibility r) { return max(r.area / r.mean - 1.0f, 0.0f); }
 
-// Which facets are seen. Smith's law hides one facet as well as another; on a sea, whose waves carry ever smaller ones, a
-// facet is in sight when all the longer waves it sits on face the viewer as well. From the long waves to the short X is a
-// random walk that starts at mu and ends where it turns away, so that by the principle of reflection a facet of X is seen in
-// proportion to max(X,0) (1 - exp(-2 (X + b tau)(mu + b tau)/tau^2)): Smith's law has b = infinity, a continuous walk 0. A
-// walk of n steps has b = 0.58/sqrt(n) (Broadie, Glasserman & Kou 1997). 0.2 is what surfaces traced by rays show whose
-// shortest waves are 1/30 as long as the longest.
-PELAGIC_FORMULA_CONSTANT float kSightMargin = 0.2f;
+// Share in sight of the facets of X = `facing` that face the direction.
+PELAGIC_FORMULA float shareInSight(Visibility r, float facing) {
+  float z = max(r.mean / r.deviation, 0.0f);
+  float x = max(facing / r.deviation, 0.0f);
+  return 1.0f - exp(-2.0f * min((x + kSightMargin) * (z + kSightMargin), 40.0f));
+}
 
 // Mean and covariance of the slopes seen.
 struct SeenSlopes {
@@ -87,29 +127,31 @@ struct SeenSlopes {
   vec3 covariance;
 };
 
-// With x = X/tau, z = mu/tau and y = z + 2b the density is x (phi(x - z) - phi(x + y)): what Smith's law sees less its image.
 // X alone is not Gaussian then; the slopes follow it by s - m = -C vh (X - mu)/tau^2.
 PELAGIC_FORMULA SeenSlopes seenSlopes(Visibility r, vec3 v, vec3 c) {
-  float at = r.mean / r.deviation;
-  float z = max(at, 0.0f);  // a mean facet turned away is seen as one edge on
-  float density = at > 0.0f ? r.density : 0.39894228f;
-  float fraction = at > 0.0f ? r.fraction : 0.5f;
-  float y = min(z + 2.0f * kSightMargin, 12.0f);
-  float imageDensity = 0.39894228f * exp(-0.5f * y * y);
-  float tail = 2.50662827f * imageDensity * scaledTail(y);
-  // Of the image: area, and first and second moments of x about z.
-  float area = imageDensity - y * tail;
-  float first = (y * y + 1.0f) * tail - y * imageDensity;
-  float second = (y * y + 2.0f) * imageDensity - (y * y + 3.0f) * y * tail - z * (2.0f * first - z * area);
-  first -= z * area;
-  float seen = z * fraction + density - area;
-  float mean = (fraction - first) / seen;                         // E[x] - z
-  float excess = (density + area - second) / seen - mean * mean;  // Var[x] - 1
+  Sight sight = sightOfFacet(r);
   vec2 g = covarianceTimes(c, vec2(v.x, v.z)) / r.deviation;
   SeenSlopes s;
-  s.shift = g * (at - z - mean);
-  s.covariance = c + excess * vec3(g.x * g.x, g.y * g.y, g.x * g.y);
+  s.shift = g * (r.mean / r.deviation - sight.mean);
+  s.covariance = c + (sight.variance - 1.0f) * vec3(g.x * g.x, g.y * g.y, g.x * g.y);
   return s;
+}
+
+// The slope m of waves on a facet that the direction v sees with the area `mu` > 0, moved to where such waves are in sight;
+// c: their covariance. A surface drawn coarser than it is shaded hides what its own facets hide, but none of the finer
+// waves': v is to see them as if it did.
+PELAGIC_FORMULA vec2 facingSlope(vec2 m, vec3 v, float mu, vec3 c) {
+  vec2 h = vec2(v.x, v.z);
+  vec2 g = covarianceTimes(c, h);
+  float tau2 = dot(g, h);
+  if (tau2 < 1e-8f) return m;
+  float tau = sqrt(tau2);
+  float z = mu / tau;
+  float density = 0.39894228f * exp(-0.5f * z * z);
+  Sight sight = sightOf(z, density, 1.0f - 2.50662827f * density * scaledTail(z));
+  float x = v.y - dot(h, m);
+  float facing = tau * sight.mean + sqrt(sight.variance) * (x - mu);
+  return m - (facing - x) / tau2 * g;
 }
 
 // Slope of the facet that mirrors l to v.
@@ -141,6 +183,14 @@ PELAGIC_FORMULA Mirrored mirroredBy(vec2 s, vec3 v) {
   return r;
 }
 
+// Share of the facets that mirror what is above the horizon, where their mean mirrors from the height r.y = `elevation` and
+// `spread` is the deviation of that: the normal distribution as a logistic curve. What the others mirror is sea, which
+// returns kSecondBounce of the same sky and has its own light.
+PELAGIC_FORMULA_CONSTANT float kSecondBounce = 0.45f;
+PELAGIC_FORMULA float shareAboveHorizon(float elevation, float spread) {
+  return 1.0f / (1.0f + exp(-1.702f * clamp(elevation / spread, -20.0f, 20.0f)));
+}
+
 // Covariance that a disc light of angular radius `radius` [rad] adds to the slopes that mirror it: r^2/16 in the plane of
 // incidence, r^2/(16 cos^2) across, carried from the half vector h (cos: of v to h) to slopes.
 PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, float radius) {
@@ -151,14 +201,17 @@ PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, floa
                   slope.x * slope.y - w.x * w.y);
 }
 
-// Radiance mirrored from a light of unit irradiance (on a plane facing it), without Fresnel's factor [1/sr]:
-// p(s_h) / (4 h.y^4 (E_v + mu_v Lambda_l)), the papers' I_sun / (L_sun Omega_sun F). `c` includes discCovariance().
-PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c) {
+// Radiance mirrored from a light of unit irradiance (on a plane facing it), without Fresnel's factor [1/sr]: the papers'
+// I_sun / (L_sun Omega_sun F), p(s_h) / (4 h.y^4) over the area seen, but of facets in sight of both the viewer and the
+// light, whose X is the same for both. `c` includes discCovariance().
+PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec3 v, vec2 slope, vec2 mean, vec3 c) {
   // No facet of the sea is as steep as 10; only light and viewer both at the horizon would ask for one.
   if (lit.mean <= 1e-6f || dot(slope, slope) > 100.0f) return 0.0f;
   float inverseY2 = 1.0f + dot(slope, slope);
-  float denominator = seen.area + max(seen.mean, 0.0f) * smithLambda(lit);
-  return slopeDensity(slope - mean, c) * inverseY2 * inverseY2 / (4.0f * max(denominator, 1e-6f));
+  float facing = v.y - (v.x * slope.x + v.z * slope.y);
+  float seenShare = shareInSight(seen, facing) / seen.inSight;
+  float litShare = shareInSight(lit, facing) * lit.mean / lit.inSight;
+  return 0.25f * slopeDensity(slope - mean, c) * inverseY2 * inverseY2 * seenShare * litShare;
 }
 
 // Of a disc's covariance in slopes: how far its edge is from its centre along `away`, times the length of that.
@@ -167,10 +220,10 @@ PELAGIC_FORMULA float discReach(vec3 disc, vec2 away) { return 2.0f * sqrt(max(c
 // The most that a light may mirror, as sunReflection(): as if all of it stood where its edge comes nearest to the mean slope,
 // `reach` from its centre's slope as discReach() has it. The Gaussian that stands for a light has tails, which grazing views
 // of large ones would see as light.
-PELAGIC_FORMULA float reflectionBound(Visibility seen, Visibility lit, vec2 slope, vec2 mean, vec3 c, float reach) {
+PELAGIC_FORMULA float reflectionBound(Visibility seen, Visibility lit, vec3 v, vec2 slope, vec2 mean, vec3 c, float reach) {
   vec2 away = slope - mean;
   float nearer = max(1.0f - reach / max(dot(away, away), 1e-12f), 0.0f);
-  return sunReflection(seen, lit, mean + nearer * away, mean, c);
+  return sunReflection(seen, lit, v, mean + nearer * away, mean, c);
 }
 
 PELAGIC_PHYSICS_END

@@ -31,6 +31,9 @@ PELAGIC_SHADER_CONSTANT uint kEdgeBelow = 8u;
 PELAGIC_SHADER_CONSTANT uint kEdgeGroup = 64u;
 PELAGIC_SHADER_CONSTANT uint kEdgeListStart = 4u;
 
+// Footprints for which CompositeFrame::resolved is known.
+PELAGIC_SHADER_CONSTANT uint kFootprints = 24u;
+
 struct CompositeFrame {
   WaveSampling waves;
   // The point of a pixel with the clip-space w is w (ray + x rayX + y rayY), world axes, from the eye; (0,0) is the
@@ -52,10 +55,13 @@ struct CompositeFrame {
   vec4 hostLightWidth[kMostHostLights];  // half-axes of a rectangle [m], 0 of a ball
   vec4 hostLightHeight[kMostHostLights];
   vec4 hostLightRadiance[kMostHostLights];  // rgb
-  uint hostLights;                          // that there are
-  float planetRadius;                       // at sea level [m]
-  float skyContrast;                        // factor on the sky's reflected light
-  float crestsHide;                         // 1: thin crests hide the water's colour, 0: not
+  // Slope covariance (xx, zz, xz) that maps sampled at a footprint show, of 2^i texels of the shortest cascade each.
+  vec4 resolved[kFootprints];
+  uint hostLights;     // that there are
+  float planetRadius;  // at sea level [m]
+  float skyContrast;   // factor on the sky's reflected light
+  float crestsHide;    // 1: thin crests hide the water's colour, 0: not
+  vec4 sheet;  // x: side of its cells [px], 0: it has all that pixels resolve; y: texels of the shortest cascade [1/m]
 };
 
 PELAGIC_SHADER_END

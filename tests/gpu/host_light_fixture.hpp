@@ -42,7 +42,7 @@ class HostLightTest : public GpuTest {
     const auto lit = pelagic::physics::visibility(from, glm::vec2(0), covariance);
     const float cosIncidence = glm::dot(view, glm::normalize(view + from));
     return pelagic::physics::fresnelReflectance(cosIncidence, pelagic::physics::kWaterIndex) *
-           pelagic::physics::sunReflection(seen, lit, pelagic::physics::mirrorSlope(view, from), glm::vec2(0),
+           pelagic::physics::sunReflection(seen, lit, view, pelagic::physics::mirrorSlope(view, from), glm::vec2(0),
                                            covariance);
   }
   /// What leaves the scene's water per irradiance that a light straight above sends on it.

@@ -66,7 +66,7 @@ TEST_F(OceanModulationTest, RipplesAreSteepOnCrestsAndCalmInTroughs) {
     if (share(i) < share(calmest)) calmest = i;
     if (share(i) > share(steepest)) steepest = i;
   }
-  const auto expected = [](double a) { return (1 + 2 * a) * (1 + 2 * a); };
+  const auto expected = [](double a) { return 1 + 3 * a * (1 + a); };
   EXPECT_NEAR(share(steepest), expected(steepness), 0.03);
   EXPECT_NEAR(share(calmest), expected(-steepness), 0.03);
   const auto [lowest, highest] = std::minmax_element(depths.begin(), depths.end());  // 1 / distance

@@ -43,8 +43,8 @@ TEST_F(PanelLightTest, GlintIsQuadratureOverThePanel) {
     double aslant, turn;
   };
   for (const double pitch : {0.35, 0.8, 1.3}) {
-    for (const Shape& shape : {Shape{0.02, 0.02, 0, 0.3}, Shape{0.08, 0.02, 0.9, 0.6}, Shape{0.02, 0.08, 0.5, 0.2},
-                               Shape{0.08, 0.06, 1.3, 1.1}, Shape{0.2, 0.1, 0.4, -0.4}}) {
+    for (const Shape& shape : {Shape{0.02, 0.02, 0, 0.3}, Shape{0.075, 0.02, 0.9, 0.6}, Shape{0.02, 0.075, 0.5, 0.2},
+                               Shape{0.075, 0.06, 1.3, 1.1}, Shape{0.2, 0.1, 0.4, -0.4}}) {
       SyntheticScene scene = darkScene({kSize, kSize}, 0.4, pitch);
       scene.camera.projection = support::perspective(0.3, 1, 0.1, true);
       scene.medium.backscatter = glm::vec3(0);

@@ -91,6 +91,8 @@ wrong_formula(between RIGHT "(2 + std::cos(samples * angle)) / 3" WRONG "(1 + st
               CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
 wrong_formula(elevation RIGHT "std::pow(modeOf(column, size), 2) + std::pow(modeOf(row, size), 2)" WRONG "1"
               CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
+wrong_formula(resolved RIGHT "x.mean * z.mean * x.between * z.between" WRONG "x.mean * z.mean * x.between"
+              CAUGHT_BY SlopeBudget.InterpolationTakesWhatIsLostBetweenTexels)
 
 set(source fft.cpp)
 wrong_formula(sign RIGHT "2 * std::numbers::pi * i / size" WRONG "-2 * std::numbers::pi * i / size"

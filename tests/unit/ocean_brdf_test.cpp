@@ -137,6 +137,39 @@ TEST(OceanBrdf, SlopesSeenAgreeWithQuadrature) {
   }
 }
 
+TEST(OceanBrdf, WavesOfAVisibleFacetAreMovedIntoSight) {
+  // Mean and variance of X of slopes drawn about a facet's, moved; against quadrature of what is in sight of them.
+  const vec3 c{0.02f, 0.01f, 0.004f};
+  const vec3 v = direction(degrees(80), 0.7);
+  const vec2 vh(v.x, v.z);
+  const double tau = std::sqrt(static_cast<double>(physics::covarianceAlong(c, vh)));
+  const vec2 along = physics::covarianceTimes(c, vh) / static_cast<float>(tau * tau);
+  for (const double z : {0.05, 0.5, 1.5, 4.0, 20.0}) {
+    // A slope whose facet is seen with the area z tau.
+    const vec2 facet = vh * static_cast<float>((v.y - z * tau) / glm::dot(vh, vh));
+    double mean = 0, square = 0, weight = 0, first = 0, second = 0;
+    overSlopes(c, [&](const vec2& s, double w) {
+      const vec2 m = physics::facingSlope(facet + s, v, static_cast<float>(z * tau), c);
+      const double seen = (v.y - glm::dot(vh, m)) / tau;
+      mean += w * seen;
+      square += w * seen * seen;
+      // Only moved along the direction that the view goes with.
+      const vec2 moved = m - facet - s;
+      EXPECT_NEAR(moved.x * along.y, moved.y * along.x, 1e-4);
+      const double x = (v.y - glm::dot(vh, facet + s)) / tau;
+      if (x <= 0) return;
+      w *= x * (1 - std::exp(-2 * (x + 0.2) * (z + 0.2)));
+      weight += w;
+      first += w * x;
+      second += w * x * x;
+    });
+    first /= weight;
+    second = second / weight - first * first;
+    EXPECT_NEAR(mean, first, 0.01) << z;
+    EXPECT_NEAR(square - mean * mean, second, 0.01) << z;
+  }
+}
+
 TEST(OceanBrdf, AreaIsThePapersCosineAndLambda) {
   const vec3 c{0.02f, 0.03f, 0};
   for (const double zenith : {5.0, 45.0, 70.0, 85.0, 89.0}) {
@@ -203,7 +236,7 @@ TEST(OceanBrdf, FurnaceNeverReturnsMoreThanItGot) {
         const auto lit = physics::visibility(l, vec2(0), c);
         // d omega_l = 4 h.y^3 (v.h) d^2 s; the density is already in the weight.
         const double measure = 4 * std::pow(h.y, 3) * vh;
-        sum += w * measure * physics::sunReflection(seen, lit, s, vec2(0), c) / physics::slopeDensity(s, c);
+        sum += w * measure * physics::sunReflection(seen, lit, v, s, vec2(0), c) / physics::slopeDensity(s, c);
       });
       EXPECT_LE(sum, 1.002) << variance << ' ' << zenith;
       EXPECT_GE(sum, zenith < 60 ? 0.95 : 0.4) << variance << ' ' << zenith;
@@ -227,7 +260,7 @@ TEST(OceanBrdf, AlbedoOfTheSunsLightIsAtMostOne) {
         const auto seen = physics::visibility(v, vec2(0), c);
         // d omega_v = 4 h.y^3 (l.h) d^2 s; the density is already in the weight.
         const double flux = w * 4 * std::pow(h.y, 3) * lh * v.y / l.y *
-                            physics::sunReflection(seen, lit, s, vec2(0), c) / physics::slopeDensity(s, c);
+                            physics::sunReflection(seen, lit, v, s, vec2(0), c) / physics::slopeDensity(s, c);
         mirror += flux;
         water += flux * physics::fresnelReflectance(lh, physics::kWaterIndex);
       });
@@ -255,8 +288,8 @@ TEST(OceanBrdf, IsReciprocal) {
         const auto b = physics::visibility(l, mean, c);
         ASSERT_GT(std::min(a.mean, b.mean), 0);
         const vec2 slope = physics::mirrorSlope(v, l);
-        const double forward = physics::sunReflection(a, b, slope, mean, c) / b.mean;
-        const double backward = physics::sunReflection(b, a, slope, mean, c) / a.mean;
+        const double forward = physics::sunReflection(a, b, v, slope, mean, c) / b.mean;
+        const double backward = physics::sunReflection(b, a, l, slope, mean, c) / a.mean;
         EXPECT_NEAR(forward, backward, 2e-5 * forward + 1e-12) << first << ' ' << second;
       }
     }
@@ -286,7 +319,7 @@ double overDisc(const vec3& v, const vec3& l, const vec2& mean, const vec3& c, d
       const double t = 2 * kPi * j / kSpokes;
       const vec3 p =
           glm::normalize(l + static_cast<float>(r * std::cos(t)) * e1 + static_cast<float>(r * std::sin(t)) * e2);
-      sum += physics::sunReflection(seen, physics::visibility(p, mean, c), physics::mirrorSlope(v, p), mean, c);
+      sum += physics::sunReflection(seen, physics::visibility(p, mean, c), v, physics::mirrorSlope(v, p), mean, c);
     }
   }
   return sum / (kRings * kSpokes);
@@ -304,8 +337,8 @@ TEST(OceanBrdf, DiscWideningAgreesWithQuadratureOverTheDisc) {
         const vec3 c{deviation * deviation, deviation * deviation, 0};
         const vec3 h = glm::normalize(v + l);
         const vec3 wide = c + physics::discCovariance(slope, l, glm::dot(v, h), static_cast<float>(kRadius));
-        const double got =
-            physics::sunReflection(physics::visibility(v, mean, c), physics::visibility(l, mean, c), slope, mean, wide);
+        const double got = physics::sunReflection(physics::visibility(v, mean, c), physics::visibility(l, mean, c), v,
+                                                  slope, mean, wide);
         // Slopes finer than the disc's own show that it is no Gaussian.
         const double tolerance = deviation < 0.005f ? 0.1 : 0.02;
         EXPECT_NEAR(got / overDisc(v, l, mean, c, kRadius), 1, tolerance) << deviation << ' ' << sun << ' ' << off;

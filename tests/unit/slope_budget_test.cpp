@@ -110,14 +110,17 @@ TEST(SlopeBudget, InterpolationTakesWhatIsLostBetweenTexels) {
   put(5, -9, 2);
   put(-2, 3, 11);
   const InterpolationLoss loss = interpolationLoss(modes, kSize);
+  const ResolvedShare resolved = resolvedShare(modes, kSize);
   for (std::uint32_t mip = 0; mip < 5; ++mip) {
-    double lost = 0, slopes = 0;
+    double lost = 0, shown = 0, slopes = 0;
     for (const auto& [mx, mz, variance] : {std::tuple{17, 0, 1.0}, {5, -9, 2.0}, {-2, 3, 11.0}}) {
       const auto [at, between] = powerOf(mx, mz, kSize, mip);
       lost += variance * (mx * mx + mz * mz) * (at - between);
+      shown += variance * (mx * mx + mz * mz) * between;
       slopes += variance * (mx * mx + mz * mz);
     }
     EXPECT_NEAR(loss[mip], lost / slopes, 1e-4) << mip;
+    EXPECT_NEAR(resolved[mip], shown / slopes, 1e-4) << mip;
   }
 }
 
