@@ -27,7 +27,7 @@ struct WaterBuffer {
   /// d32f: depth as the camera's projection writes it; cleared to the far value.
   MapView depth;
   double planetRadius = kEarthRadius;  ///< As SurfaceInfo::planetRadius.
-  /// As SurfaceInfo::targetEdge [px]. 0: the depth has whatever waves the pixels resolve.
+  /// As SurfaceInfo::targetEdge [px], 0 … 64. 0: the depth has whatever waves the pixels resolve.
   float targetEdge = 0;
 };
 

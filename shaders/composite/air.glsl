@@ -34,8 +34,11 @@ vec4 cloudsBefore(ivec2 pixel, float height) {
   if (!kHasClouds) return vec4(0, 0, 0, 1);
   float share = layerShareBefore(frame.absorption.w, height, light.cloudPlace.w, light.cloudSun.w);
   vec4 clouds = cloudsBefore(pixel);
+  if (share >= 1.0) return clouds;
   float through = pow(max(clouds.a, 1e-3), share);
-  return vec4(clouds.rgb * ((1.0 - through) / max(1.0 - clouds.a, 1e-3)), through);
+  // Of clouds too thin for the quotient's digits, the share itself.
+  float part = clouds.a > 0.999 ? share : (1.0 - through) / (1.0 - clouds.a);
+  return vec4(clouds.rgb * part, through);
 }
 
 #endif

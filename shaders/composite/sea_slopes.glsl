@@ -63,7 +63,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     // Shorter waves by the longer ones they ride on, which the Jacobian below shortens besides.
     float together = -(gradient.z + gradient.w);
     float variance = shortWaveVariance(together);
-    float shown = kept * sqrt(variance) * max(1.0 - together, 0.0);
+    float shown = kept * sqrt(variance) * (1.0 - min(together, kMostPushedTogether));
     float gain = gainAt(p, c);
     gradient += gain * (shown * g);
     // Precise: the same with kGain and without.
@@ -91,7 +91,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   // of what is left keeps to q: E is 1 in the mean.
   mat2 still = inverse(transpose(mat2(1.0) + waveWarpSlopes(frame.waves.warp, p)));
   mat2 stretch = still + mat2(gradient.z, moments.w, moments.w, gradient.w);
-  float jacobian = max(determinant(stretch), 0.15);
+  float jacobian = max(determinant(stretch), 1.0 - kMostPushedTogether);
   sea.slope = vec2(stretch[1][1] * gradient.x - stretch[1][0] * gradient.y,
                    stretch[0][0] * gradient.y - stretch[0][1] * gradient.x) / jacobian;
   sea.slope *= min(1.0, 1.2 * inversesqrt(max(dot(sea.slope, sea.slope), 1e-8)));  // crests break before they are steeper

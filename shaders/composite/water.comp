@@ -56,16 +56,17 @@ void main() {
   SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
   vec4 normal = vec4(sea.normal, 0);
   // What is seen of it; the slant tells how the sheet lies, neighbours being on the same cell mostly.
-  vec3 unseen = withoutRelief(side, across, max(v.y, frame.waves.unresolved.w / axial));
+  float gain = gainAt(p, max(tile.cascades, 1u) - 1u);
+  vec3 unseen = gain * gain * withoutRelief(side, across, max(v.y, frame.waves.unresolved.w / axial));
   sea.slope = facingSlope(sea.slope, v, slant, unseen);
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
   HostLit lit = kNoHostLight;
-  if (kHostLights) lit = hostLit(sea, v, ray * axial, p);
+  if (kHostLights) lit = hostLit(sea, normal.xyz, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
     vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
-    Foam foam = foamAt(sea.foam, p, across, along * away);
+    Foam foam = foamAt(sea.foam, p, across, max(along, across) * away);
     vec3 foamLight = sun * max(dot(normal.xyz, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
     radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
     normal.w = foam.cover;

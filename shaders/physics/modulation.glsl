@@ -13,7 +13,13 @@ PELAGIC_PHYSICS_BEGIN
 // takes up less by 1 - a.
 PELAGIC_FORMULA_CONSTANT float kShortWaveModulation = 3.0f;
 
-PELAGIC_FORMULA float shortWaveVariance(float a) { return 1.0f + kShortWaveModulation * a * (1.0f + a); }
+// Where the water folds over there is no such theory; `a` is held to where shading holds the Jacobian.
+PELAGIC_FORMULA_CONSTANT float kMostPushedTogether = 0.85f;
+
+PELAGIC_FORMULA float shortWaveVariance(float a) {
+  float held = min(a, kMostPushedTogether);
+  return 1.0f + kShortWaveModulation * held * (1.0f + held);
+}
 
 PELAGIC_PHYSICS_END
 #endif

@@ -21,6 +21,7 @@ const std::vector<cli::Bad>& badPicture() {
       {"--fov", {"0", "-45", "171", "nan", "''"}, "0.1 to 170 degrees"},
       {"--sun-elevation", {"91", "-91", "nan", "''"}, "-90 to 90 degrees"},
       {"--sun-azimuth", {"361", "inf", "''"}, "-360 to 360 degrees"},
+      {"--white-balance", {"1999", "25001", "nan", "''"}, "2000 to 25000 K"},
       {"--exposure", {"33", "-33", "nan", "''"}, "-32 to 32 EV"},
       {"--date",
        {"noon", "2024-06-21", "2024-02-31T12:00", "2024-06-21T24:00", "2024-06-21T12:60", "2024-06-21T12:00Z",

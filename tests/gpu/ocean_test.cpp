@@ -328,7 +328,6 @@ TEST_F(OceanTest, HostObjectsHideAndAreHidden) {
   // The upper half is wall, the bottom row is water 4 m below the eye.
   EXPECT_GT(wallPixels, kExtent.width * kExtent.height / 3);
   EXPECT_FALSE(isRed(pixels, (kExtent.height - 1) * kExtent.width + 80));
-  // Without an object (depth is the far value) the host's colour appears nowhere.
   // A quarter of a percent of air lies before the wall.
   const auto aired = render(25, behindAir);
   for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
@@ -338,6 +337,7 @@ TEST_F(OceanTest, HostObjectsHideAndAreHidden) {
     }
     ASSERT_EQ(isRed(aired, i), false);
   }
+  // Without an object (depth is the far value) the host's colour appears nowhere.
   const auto open = render(std::numeric_limits<float>::infinity(), behindAir);
   for (std::uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) ASSERT_FALSE(isRed(open, i));
 }

@@ -128,7 +128,7 @@ void OceanVarianceTest::checkBudget(const std::vector<double>& distances, double
         const double distance = distances[i / 2];
         // Least even are those as large as the waves that their pixels begin to miss, and near ones where a long wave
         // makes the ripples steep or calm.
-        const int pictures = distance > 200 ? 1 : info_.waves.sea.choppiness > 0 ? 10 : distance > 5 ? 4 : 1;
+        const int pictures = distance > 200 ? 1 : info_.waves.sea.choppiness > 0 ? 5 : distance > 5 ? 4 : 1;
         for (int picture = 0; picture < pictures; ++picture) {
           const glm::dvec2 place(where(random), where(random));
           const Budget one = look(lookingAt({place.x, query_->heightAt(place), place.y}, distance, downs[i % 2]));

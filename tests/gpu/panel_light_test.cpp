@@ -42,7 +42,7 @@ TEST_F(PanelLightTest, GlintIsQuadratureOverThePanel) {
     double a, b;  // half the sides over the distance
     double aslant, turn;
   };
-  for (const double pitch : {0.35, 0.8, 1.3}) {
+  for (const double pitch : {0.35, 1.3}) {
     for (const Shape& shape : {Shape{0.02, 0.02, 0, 0.3}, Shape{0.075, 0.02, 0.9, 0.6}, Shape{0.02, 0.075, 0.5, 0.2},
                                Shape{0.075, 0.06, 1.3, 1.1}, Shape{0.2, 0.1, 0.4, -0.4}}) {
       SyntheticScene scene = darkScene({kSize, kSize}, 0.4, pitch);

@@ -25,6 +25,11 @@ class ToneMapTest : public support::GpuTest {
         device(), {input.host(cleared, kShaderRead), output.host(common::kUndefined, common::kTransferSource)});
     EXPECT_TRUE(tone) << tone.error().message;
     EXPECT_TRUE(tone->setWhiteBalance(kelvin));
+    for (const double wrong : {1999.0, 25001.0, std::nan("")}) {
+      const auto refused = tone->setWhiteBalance(wrong);
+      EXPECT_FALSE(refused);
+      EXPECT_NE(refused.error().message.find("it must be 2000 to 25000 K"), std::string::npos);
+    }
     gpu().run([&](vk::CommandBuffer commands) {
       const vk::ImageSubresourceRange range(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
       const vk::ImageMemoryBarrier2 barrier({}, {}, vk::PipelineStageFlagBits2::eAllTransfer,
