@@ -105,15 +105,12 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
   float deviation = seen.deviation * perHorizontal * sea.normal.y;
   vec2 reflectance = meanFresnel(dot(v, sea.normal), deviation);
   float fresnel = reflectance.x;
-  // Facets count by their reflectance, and so those turned away from the view more, by Stein's lemma as its logarithm's slope
-  // moves the mean; less where that bends.
   SeenSlopes facets = seenSlopes(seen, v, sea.residual);
-  vec2 slope = sea.slope + facets.shift - 0.7 * reflectance.y / fresnel * covarianceTimes(facets.covariance, v.xz);
+  vec2 slope = sea.slope + reflectingShift(facets, v, reflectance.y / fresnel);
   Mirrored centre = mirroredBy(slope, v);
   vec3 sky = environment(centre, facets.covariance);
   // Part of the facets mirror what lies below the horizon, which is sea.
-  float spread = 2.0 * sqrt(max(covarianceAlong(facets.covariance, v.xz * perHorizontal), 1e-8));
-  float above = shareAboveHorizon(centre.elevation, spread);
+  float above = shareAboveHorizon(centre.elevation, elevationSpread(facets.covariance, v.xz * perHorizontal));
   vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, kSecondBounce), sky, above);
 
   Shining disc = Shining(l, kSunAngularRadius, vec3(0), vec3(0), sunlight, light.sunRadiance.rgb);

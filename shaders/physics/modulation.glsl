@@ -13,11 +13,11 @@ PELAGIC_PHYSICS_BEGIN
 // takes up less by 1 - a.
 PELAGIC_FORMULA_CONSTANT float kShortWaveModulation = 3.0f;
 
-// Where the water folds over there is no such theory; `a` is held to where shading holds the Jacobian.
+// Where the water folds over there is no such theory: `a` is held to where shading holds the Jacobian. The calmest is -1/2.
 PELAGIC_FORMULA_CONSTANT float kMostPushedTogether = 0.85f;
 
 PELAGIC_FORMULA float shortWaveVariance(float a) {
-  float held = min(a, kMostPushedTogether);
+  float held = clamp(a, -0.5f, kMostPushedTogether);
   return 1.0f + kShortWaveModulation * held * (1.0f + held);
 }
 

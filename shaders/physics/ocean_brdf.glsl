@@ -82,7 +82,7 @@ PELAGIC_FORMULA Sight sightOf(float z, float density, float fraction) {
 struct Visibility {
   float mean;        // mu: area of the mean facet seen, per unit of the plane [1]; negative: turned away
   float deviation;   // tau [1]
-  float area;        // E[max(X,0)] [1]
+  float area;        // E[max(X,0)] [1]; of the papers, whom tests compare with
   float fraction;    // Phi(mu/tau): share of the facets that face the direction [1]
   float density;     // phi(mu/tau) [1]
   float inSight;     // area of what longer waves do not hide either [1]; of a mean facet turned away that of one edge on
@@ -111,7 +111,7 @@ PELAGIC_FORMULA Visibility visibility(vec3 v, vec2 mean, vec3 c) {
 }
 
 // Lambda of Smith's shadowing for the light, (e^(-a^2) - a sqrt(pi) erfc a) / (2 a sqrt(pi)): the sunlit side of a mean
-// facet turned toward the light.
+// facet turned toward the light. The papers' law, as a reference: sunReflection() has the walk's.
 PELAGIC_FORMULA float smithLambda(Visibility r) { return max(r.area / r.mean - 1.0f, 0.0f); }
 
 // Share in sight of the facets of X = `facing` that face the direction.
@@ -182,6 +182,15 @@ PELAGIC_FORMULA Mirrored mirroredBy(vec2 s, vec3 v) {
   r.elevation = 2.0f * q / m - v.y;
   return r;
 }
+
+// Slopes whose facets count by their reflectance F as well, `rise` the derivative of its logarithm by the cosine of the view: by
+// Stein's lemma the mean moves by so much; less where F bends.
+PELAGIC_FORMULA vec2 reflectingShift(SeenSlopes seen, vec3 v, float rise) {
+  return seen.shift - 0.7f * rise * covarianceTimes(seen.covariance, vec2(v.x, v.z));
+}
+
+// Deviation of r.y, the height that facets of the covariance c mirror from, seen along the unit vector h of the plane.
+PELAGIC_FORMULA float elevationSpread(vec3 c, vec2 h) { return 2.0f * sqrt(max(covarianceAlong(c, h), 1e-8f)); }
 
 // Share of the facets that mirror what is above the horizon, where their mean mirrors from the height r.y = `elevation` and
 // `spread` is the deviation of that: the normal distribution as a logistic curve. What the others mirror is sea, which

@@ -28,6 +28,21 @@ class HostLightTest : public GpuTest {
     const glm::dvec3 d = scene.directionAt(x, y), forward = -glm::transpose(glm::dmat3(scene.camera.rotation))[2];
     return scene.camera.position + d * (kAxial / glm::dot(d, forward));
   }
+  /// What the sea mirrors, seen along it, of the light that `lightAt(scene, toward)` puts `aside` [rad] from straight
+  /// ahead.
+  template <class LightAt>
+  double glintSeenAlong(double aside, const LightAt& lightAt) {
+    SyntheticScene scene = darkScene({9, 9}, 0.4, 0.05);
+    scene.camera.position.y = 100;
+    scene.camera.projection = perspective(0.01, 1, 0.1, true);
+    scene.medium.backscatter = glm::vec3(0);
+    const glm::dvec3 d = scene.directionAt(4, 4), side(-d.z, 0, d.x);
+    const glm::dvec3 toward =
+        glm::normalize(std::cos(aside) * glm::dvec3(d.x, 0, d.z) + std::sin(aside) * side + glm::dvec3(0, 0.3, 0));
+    scene.lights = {lightAt(scene, toward)};
+    scene.render(device());
+    return scene.radianceAt(4, 4).g;
+  }
   /// Where a light is, as HostLight says it, that stands at `place` from the scene's eye.
   static glm::dvec3 overTheSea(const SyntheticScene& scene, const glm::dvec3& place) {
     const glm::dvec3 eye = scene.camera.position;

@@ -113,23 +113,13 @@ TEST_F(BallLightTest, GlintIsQuadratureOverTheBall) {
 TEST_F(BallLightTest, LargeBallsAsideMakeNoGlintOfTheirOwn) {
   // Seen along the sea, facets that would mirror a lamp at the side are as steep as none: quadrature has 1e-15 of the
   // glint below a lamp ahead, a Gaussian in place of the disc 0.04.
-  constexpr double kFar = 50, kAngle = 0.2;
-  double ahead = 0;
-  for (const double aside : {0.0, 0.7, 1.0}) {
-    SyntheticScene scene = darkScene({9, 9}, 0.4, 0.05);
-    scene.camera.position.y = 100;
-    scene.camera.projection = support::perspective(0.01, 1, 0.1, true);
-    scene.medium.backscatter = glm::vec3(0);
-    const glm::dvec3 d = scene.directionAt(4, 4), side(-d.z, 0, d.x);
-    const glm::dvec3 toward =
-        std::cos(aside) * glm::dvec3(d.x, 0, d.z) + std::sin(aside) * side + glm::dvec3(0, 0.3, 0);
-    scene.lights = {{pointAt(scene, 4, 4) + kFar * glm::normalize(toward), kFar * kAngle, glm::vec3(30)}};
-    scene.render(device());
-    const double seen = scene.radianceAt(4, 4).g;
-    if (aside == 0) ahead = seen;
-    EXPECT_LE(seen, aside == 0 ? 0.1 : 1e-4 * ahead) << aside;
-  }
+  const auto ball = [](const SyntheticScene& scene, const glm::dvec3& toward) {
+    return HostLight{pointAt(scene, 4, 4) + 50.0 * toward, 10, glm::vec3(30)};
+  };
+  const double ahead = glintSeenAlong(0, ball);
   EXPECT_GT(ahead, 0.01);
+  EXPECT_LE(ahead, 0.1);
+  for (const double aside : {0.7, 1.0}) EXPECT_LE(glintSeenAlong(aside, ball), 1e-4 * ahead) << aside;
 }
 
 TEST_F(BallLightTest, LightsAdd) {

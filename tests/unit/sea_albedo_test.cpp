@@ -7,6 +7,7 @@
 
 #include "physics/fresnel.glsl"
 #include "physics/ocean_brdf.glsl"
+#include "physics/optics.glsl"
 #include "support/reference_tracer.hpp"
 
 namespace {
@@ -57,8 +58,8 @@ double skyAlbedo(const vec3& v, const vec3& c) {
   const double rise = (meanFresnel(std::min(cosine + kStep, 1.0), deviation) - meanFresnel(cosine - kStep, deviation)) /
                       (std::min(cosine + kStep, 1.0) - cosine + kStep);
   const SeenSlopes facets = seenSlopes(seen, v, c);
-  const vec2 slope = facets.shift - static_cast<float>(0.7 * rise / fresnel) * covarianceTimes(facets.covariance, h);
-  const float spread = 2 * std::sqrt(std::max(covarianceAlong(facets.covariance, h * perHorizontal), 1e-8f));
+  const vec2 slope = reflectingShift(facets, v, static_cast<float>(rise / fresnel));
+  const float spread = elevationSpread(facets.covariance, h * perHorizontal);
   const double above = static_cast<double>(shareAboveHorizon(mirroredBy(slope, v).elevation, spread));
   return fresnel * (above + (1 - above) * static_cast<double>(kSecondBounce));
 }
@@ -68,7 +69,7 @@ double skyAlbedo(const vec3& v, const vec3& c) {
 TEST(SeaAlbedo, OfAnEvenSkyIsThatOfTracedRaysAndAtMostOne) {
   SeaLighting even;
   even.sky = [](const glm::dvec3&) { return glm::dvec3(1); };
-  for (const double wind : {2.0, 7.0, 14.0}) {
+  for (const auto& [wind, tolerance] : {std::pair{2.0, 0.03}, {7.0, 0.11}, {14.0, 0.2}}) {
     const Sea sea(wind);
     for (const double azimuth : {0.0, 90.0}) {
       for (const double zenith : {0.0, 40.0, 60.0, 75.0, 83.0, 87.0, 89.0}) {
@@ -76,19 +77,35 @@ TEST(SeaAlbedo, OfAnEvenSkyIsThatOfTracedRaysAndAtMostOne) {
         const double albedo = skyAlbedo(vec3(v), sea.covariance);
         const double expected = sea.traced(even, v);
         EXPECT_LE(albedo, 1);
-        EXPECT_NEAR(albedo, expected, (0.02 + 0.0125 * wind) * expected) << wind << " m/s " << azimuth << ' ' << zenith;
+        EXPECT_NEAR(albedo, expected, tolerance * expected) << wind << " m/s " << azimuth << ' ' << zenith;
       }
     }
   }
 }
 
-TEST(SeaAlbedo, OfTheSkyIsAtMostOneForAnySea) {
-  for (const float variance : {1e-6f, 1e-3f, 0.01f, 0.04f, 0.1f, 0.3f}) {
-    for (double zenith = 0; zenith < 90; zenith += 0.5) {
-      const double albedo = skyAlbedo(vec3(direction(zenith, 20)), {variance, 0.6f * variance, 0.1f * variance});
-      EXPECT_LE(albedo, 1) << variance << ' ' << zenith;
-      EXPECT_GE(albedo, 0.01) << variance << ' ' << zenith;
+// Summed over the hemisphere, what a calm sea sends back is Fresnel's law at n = 1.34 for an even sky; rough seas send
+// back less (Cox & Munk 1956), at most a half less.
+TEST(SeaAlbedo, OverTheHemisphereIsTheCalmSeasOrLess) {
+  const auto hemispherical = [](const vec3& covariance) {
+    constexpr int kZenith = 180, kAzimuth = 8;
+    double sum = 0;
+    for (int i = 0; i < kZenith; ++i) {
+      const double zenith = (i + 0.5) * 90 / kZenith, step = 90 * kDegree / kZenith;
+      const double weight = 2 * std::sin(zenith * kDegree) * std::cos(zenith * kDegree) * step / kAzimuth;
+      for (int j = 0; j < kAzimuth; ++j) {
+        sum += weight * skyAlbedo(vec3(direction(zenith, (j + 0.5) * 360 / kAzimuth)), covariance);
+      }
     }
+    return sum;
+  };
+  const double calm = hemispherical(vec3(1e-6f, 1e-6f, 0));
+  EXPECT_NEAR(calm / static_cast<double>(kDiffuseReflectance), 1, 0.01);
+  double last = calm;
+  for (const float variance : {1e-3f, 0.01f, 0.04f}) {
+    const double rough = hemispherical({variance, 0.6f * variance, 0.1f * variance});
+    EXPECT_LT(rough, 1.005 * last) << variance;
+    EXPECT_GT(rough, 0.5 * calm) << variance;
+    last = rough;
   }
 }
 
@@ -111,7 +128,9 @@ TEST(SeaAlbedo, OfALowSunIsThatOfTracedRays) {
                                                            visibility(l, vec2(0), sea.covariance), v, slope, vec2(0),
                                                            sea.covariance + disc) *
                                              fresnelReflectance(incidence, kWaterIndex));
-      EXPECT_NEAR(got / sea.traced(light, exact), 1, 0.15) << elevation << ' ' << zenith;
+      // Within 5 % where the viewer is 4 degrees over the horizon, opposite a low sun.
+      const double tolerance = elevation == 7 && zenith == 86 ? 0.05 : 0.15;
+      EXPECT_NEAR(got / sea.traced(light, exact), 1, tolerance) << elevation << ' ' << zenith;
     }
   }
 }
