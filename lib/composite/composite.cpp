@@ -118,7 +118,7 @@ Result<Composite> Composite::create(Device& device) {
   const auto sampler = [&](std::string_view name, const gpu::SamplerInfo& info) {
     return gpu::createSampler(*impl->context, name, info);
   };
-  PELAGIC_TRY(repeat, sampler("composite repeat", {.mipmap = vk::SamplerMipmapMode::eNearest}));
+  PELAGIC_TRY(repeat, sampler("composite repeat", {}));
   PELAGIC_TRY(azimuth, sampler("composite azimuth", {.v = edge}));
   PELAGIC_TRY(clamp, sampler("composite clamp", {.u = edge, .v = edge}));
   PELAGIC_TRY(nearest,

@@ -37,6 +37,19 @@ float foamFreshness(uint cascade, vec2 uv, float side, float across) {
   return fresh;
 }
 
+// Where between two mips a lookup of the level `lod` blends: over the middle half of the way from one to the next, since
+// devices read both only where they must.
+float blendedLod(float lod) {
+  float finer = floor(lod);
+  return finer + clamp(2.0 * (lod - finer) - 0.5, 0.0, 1.0);
+}
+
+// By how much of its slopes' variance filtering between the texels of a cascade's mip smooths them.
+float interpolationLoss(uint cascade, float mip) {
+  uint i = uint(min(mip, 7.0));
+  return frame.waves.interpolationLoss[2u * cascade + (i >> 2)][i & 3u];
+}
+
 // `p`: undisplaced place relative to the eye [m], seen with the footprint `side` of pixels `across` wide [m]. The first
 // `cascades`, at least one, are sampled, of the others the variance counts; foam only from the cascades in the bit mask
 // `foaming`, which is not 0 where kFoaming.
@@ -52,14 +65,20 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     vec4 placement = frame.waves.placement[c];
     float lod = waveLod(placement, float(frame.waves.size), side);
     vec3 place = vec3(waveUv(placement, q), float(c));
-    vec4 g = textureLod(gradientMap, place, lod);
-    vec4 m = textureLod(momentsMap, place, lod);
+    // With the part w of the finer mip, of which the coarser is the mean, the slopes have the variance coarse +
+    // w^2 (finer - coarse): the moments blend by w^2.
+    float blended = blendedLod(lod);
+    float finer = floor(blended);
+    float w = 1.0 - (blended - finer);
+    vec4 g = textureLod(gradientMap, place, blended);
+    vec4 m = textureLod(momentsMap, place, finer + 1.0 - w * w);
     // Toward the end of what is resolved, all goes over into the expected variance. That of the sampled mean is less than
-    // what is missing in m by what it was smoothed between the texels.
+    // what is missing in m by what it was smoothed between the texels: of two mips w^2 and (1 - w)^2 of their own, and of
+    // what they have in common, by quadrature, near half of the coarser's.
     float kept = clamp(endLod - lod, 0.0, 1.0);
     float power = kept * kept;
-    uint mip = uint(min(lod + 0.5, 7.0));
-    float lost = 1.0 - power + power * frame.waves.interpolationLoss[2u * c + (mip >> 2)][mip & 3u];
+    float smoothed = w * w * interpolationLoss(c, finer) + (1.0 - w) * interpolationLoss(c, finer + 1.0);
+    float lost = 1.0 - power + power * smoothed;
     // Shorter waves by the longer ones they ride on, which the Jacobian below shortens besides.
     float together = -(gradient.z + gradient.w);
     float variance = shortWaveVariance(together);
