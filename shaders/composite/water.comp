@@ -67,8 +67,9 @@ void main() {
   if (kFoaming) {
     vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
     Foam foam = foamAt(sea.foam, p, across, max(along, across) * away);
-    vec3 foamLight = sun * max(dot(normal.xyz, l), 0.0) + light.skyIrradiance.rgb + lit.foam;
-    radiance = mix(radiance, foamLight * (foam.albedo / kPi), foam.cover);
+    vec3 top = normalize(normal.xyz - vec3(away.x, 0, away.y) * foam.rise);
+    vec3 foamLight = sun * max(dot(top, l), 0.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * top.y) + lit.foam;
+    radiance = mix(radiance, foamLight * (kFoamAlbedo / kPi), foam.cover * foam.opacity);
     normal.w = foam.cover;
   }
   radiance = throughAir(radiance, place, axial * rayLength, 0.0);

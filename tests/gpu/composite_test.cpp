@@ -216,6 +216,43 @@ TEST_F(CompositeTest, OldFoamIsBlownIntoStreaksByAStrongWind) {
   }
 }
 
+/// How much of what foam covers it turns white, where the same sea without foam is `bare`.
+double opacityOfFoam(const SyntheticScene& scene, const std::vector<float>& bare) {
+  double gained = 0, white = 0;
+  for (std::size_t i = 0; i < scene.radiance.size(); i += 4) {
+    const double water = static_cast<double>(bare[i]);
+    gained += static_cast<double>(scene.radiance[i]) - water;
+    white += static_cast<double>(scene.normal[i + 3]) * (0.78 * static_cast<double>(scene.sky[0]) - water);
+  }
+  return gained / white;
+}
+
+// Foam of a freshness is as bright in the mean where its lace is seen as where a pixel holds many patches of it, and
+// old foam is a film that hides less. Of a tenth the pattern's highest ridges are left, which are lower than the
+// Gaussian that stands for them far off and is 30 % brighter.
+TEST_F(CompositeTest, FoamThinsWithAgeAtEveryDistance) {
+  SyntheticScene near(gpu(), {256, 256}), far(gpu(), {16, 16});
+  near.fillWater(20);
+  far.fillWater(5000);
+  for (std::size_t i = 0; i < near.position.size(); ++i) {
+    near.position[i] = 0.08f * glm::vec2(static_cast<float>(i % 256), static_cast<float>(i / 256));
+  }
+  near.render(device());
+  far.render(device());
+  const std::vector<float> bareNear = near.radiance, bareFar = far.radiance;
+  double last = 0.2;
+  for (const float freshness : {0.3f, 0.6f, 0.9f}) {
+    near.foam = far.foam = freshness;
+    near.render(device());
+    far.render(device());
+    const double seen = opacityOfFoam(far, bareFar);
+    EXPECT_NEAR(opacityOfFoam(near, bareNear) / seen, 1, 0.1) << freshness;
+    EXPECT_GT(seen, last) << freshness;
+    last = seen;
+  }
+  EXPECT_GT(last, 0.8);
+}
+
 TEST_F(CompositeTest, FarWaterFadesIntoTheHorizon) {
   SyntheticScene scene(gpu(), {8, 8});
   scene.fillWater(20000);
