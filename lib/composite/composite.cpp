@@ -130,8 +130,8 @@ Result<Composite> Composite::create(Device& device) {
   impl->clamp = std::move(clamp);
   impl->nearest = std::move(nearest);
 
-  const std::vector<float> table = fresnelTable();
-  const std::size_t bytes = table.size() * sizeof(float);
+  const std::vector<glm::vec4> table = fresnelTable();
+  const std::size_t bytes = table.size() * sizeof(glm::vec4);
   PELAGIC_TRY(fresnel, gpu::Buffer::create(*impl->context, Stage::composite, "composite fresnel table", bytes,
                                            vk::BufferUsageFlagBits::eStorageBuffer, gpu::Buffer::Placement::upload));
   std::memcpy(fresnel.mapped(), table.data(), bytes);

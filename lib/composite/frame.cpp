@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <composite/frame.hpp>
+#include <composite/fresnel_table.hpp>
 #include <glm/gtc/constants.hpp>
 #include <pelagic/wave_sampling.hpp>
 
@@ -88,6 +89,14 @@ void setResolved(const WaveMaps& waves, shader::CompositeFrame& frame) noexcept 
   frame.sheet.y = static_cast<float>(1 / finest);
 }
 
+/// All slopes of the sea, and what it reflects of a ray that comes along it.
+void setSlopes(shader::CompositeFrame& frame) noexcept {
+  glm::vec4 all = frame.waves.unresolved;
+  for (std::uint32_t c = 0; c < frame.waves.cascades; ++c) all += frame.waves.slopeCovariance[c];
+  const double deviation = std::sqrt(0.5 * static_cast<double>(all.x + all.y));
+  frame.slopes = glm::vec4(glm::vec3(all), static_cast<float>(reflectingFacets(0, deviation).reflectance));
+}
+
 }  // namespace
 
 shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
@@ -114,6 +123,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   for (const HostLight& light : lights) setLight(light, camera.position, sheet.planetRadius, frame);
   frame.planetRadius = radius;
   setResolved(waves, frame);
+  setSlopes(frame);
   frame.sheet.x = sheet.targetEdge;
   frame.width = extent.width;
   frame.height = extent.height;

@@ -7,11 +7,14 @@
 
 namespace pelagic {
 
-double meanFresnel(double cosView, double deviation) {
-  if (deviation <= 0) return physics::fresnelReflectance(static_cast<float>(cosView), physics::kWaterIndex);
+ReflectingFacets reflectingFacets(double cosView, double deviation) {
+  const auto fresnel = [](double cosIncidence) {
+    return static_cast<double>(
+        physics::fresnelReflectance(static_cast<float>(std::min(cosIncidence, 1.0)), physics::kWaterIndex));
+  };
+  if (deviation <= 0) return {fresnel(cosView), 0, 1};
   const double sinView = std::sqrt(std::max(0.0, 1 - cosView * cosView));
-  // Only slopes below cot(theta) face the viewer; along the view that edge bounds the integration. Weights are those of
-  // seenSlopes() in physics/ocean_brdf.glsl.
+  // Only slopes below cot(theta) face the viewer; along the view that edge bounds the integration.
   constexpr int kAlong = 96;
   constexpr int kAcross = 12;
   constexpr double kReach = 4.5;  // standard deviations
@@ -19,8 +22,7 @@ double meanFresnel(double cosView, double deviation) {
   const double step = (last + kReach) / kAlong;
   const double tau = std::max(sinView * deviation, 1e-6);
   const double margin = static_cast<double>(physics::kSightMargin);
-  double sum = 0;
-  double weight = 0;
+  double weight = 0, sum = 0, first = 0, second = 0;
   for (int i = 0; i < kAlong; ++i) {
     const double z = -kReach + (i + 0.5) * step;
     const double along = z * deviation;
@@ -31,22 +33,25 @@ double meanFresnel(double cosView, double deviation) {
       const double y = (j + 0.5) * kReach / kAcross;
       const double across = y * deviation;
       const double w = seen * std::exp(-0.5 * y * y);
-      const double c = facing / std::sqrt(1 + along * along + across * across);
-      sum += w * physics::fresnelReflectance(static_cast<float>(std::min(c, 1.0)), physics::kWaterIndex);
+      const double mirrored = w * fresnel(facing / std::sqrt(1 + along * along + across * across));
       weight += w;
+      sum += mirrored;
+      first -= mirrored * z;
+      second += mirrored * z * z;
     }
   }
-  return sum / weight;
+  return {sum / weight, first / sum, second / sum - first / sum * (first / sum)};
 }
 
-std::vector<float> fresnelTable() {
-  std::vector<float> table;
+std::vector<glm::vec4> fresnelTable() {
+  std::vector<glm::vec4> table;
   table.reserve(physics::kFresnelTableWidth * physics::kFresnelTableHeight);
   for (int j = 0; j < physics::kFresnelTableHeight; ++j) {
     const double y = static_cast<double>(j) / (physics::kFresnelTableHeight - 1);
     for (int i = 0; i < physics::kFresnelTableWidth; ++i) {
       const double x = static_cast<double>(i) / (physics::kFresnelTableWidth - 1);
-      table.push_back(static_cast<float>(meanFresnel(x * x, physics::kFresnelMaxDeviation * y * y)));
+      const ReflectingFacets facets = reflectingFacets(x * x, physics::kFresnelMaxDeviation * y * y);
+      table.emplace_back(glm::dvec4(facets.reflectance, facets.facing, facets.variance, 0));
     }
   }
   return table;

@@ -1,15 +1,23 @@
-/// The mean reflectance of a rough sea as a table, integrated from the exact Fresnel equations.
+/// What the facets of a rough sea mirror, as a table integrated from the exact Fresnel equations.
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <vector>
 
 namespace pelagic {
 
-/// Mean of the exact reflectance over the slopes seen at `cosView` to the mean normal (seenSlopes() in
-/// shaders/physics/ocean_brdf.glsl), for Gaussian slopes with the same `deviation` in every direction [1].
-double meanFresnel(double cosView, double deviation);
+/// Of the facets in sight (sightOf() in shaders/physics/ocean_brdf.glsl), each counted by its reflectance.
+struct ReflectingFacets {
+  double reflectance;  ///< Mean [1].
+  double facing;       ///< Mean of X over that of the mean facet, in deviations of X.
+  double variance;     ///< Of X, in squares of them.
+};
 
-/// kFresnelTableWidth x kFresnelTableHeight entries, row by row, laid out as physics/fresnel.glsl says.
-std::vector<float> fresnelTable();
+/// Seen at `cosView` to the mean normal, for Gaussian slopes with the same `deviation` in every direction [1].
+ReflectingFacets reflectingFacets(double cosView, double deviation);
+
+/// The same as vectors, kFresnelTableWidth x kFresnelTableHeight of them, row by row, laid out as physics/fresnel.glsl
+/// says.
+std::vector<glm::vec4> fresnelTable();
 
 }  // namespace pelagic

@@ -6,15 +6,14 @@
 #include "physics/optics.glsl"
 #include "physics/panel.glsl"
 
-// Mean reflectance, and its derivative by cosView.
-vec2 meanFresnel(float cosView, float deviation) {
+// Of the facets seen: mean reflectance, and mean and variance of their facing, each counted by its reflectance.
+vec3 reflectingFacets(float cosView, float deviation) {
   vec2 place = fresnelTablePlace(cosView, deviation);
   ivec2 low = min(ivec2(place), ivec2(kFresnelTableWidth - 2, kFresnelTableHeight - 2));
   vec2 f = place - vec2(low);
-  int i = low.y * kFresnelTableWidth + low.x;
-  float a = mix(fresnelTable[i], fresnelTable[i + kFresnelTableWidth], f.y);
-  float b = mix(fresnelTable[i + 1], fresnelTable[i + kFresnelTableWidth + 1], f.y);
-  return vec2(mix(a, b, f.x), (b - a) * (0.5 * float(kFresnelTableWidth - 1)) * inversesqrt(max(cosView, 1e-3)));
+  int i = low.y * kFresnelTableWidth + low.x, j = i + kFresnelTableWidth;
+  return mix(mix(fresnelTable[i].xyz, fresnelTable[i + 1].xyz, f.x), mix(fresnelTable[j].xyz, fresnelTable[j + 1].xyz, f.x),
+             f.y);
 }
 
 // Place of a stereographic direction in the environment map; below the horizon, the horizon.
@@ -103,15 +102,12 @@ vec3 seaRadiance(SeaPoint sea, vec3 v, vec3 l, vec3 sunlight, vec3 entering, vec
 
   float perHorizontal = inversesqrt(max(dot(v.xz, v.xz), 1e-6));
   float deviation = seen.deviation * perHorizontal * sea.normal.y;
-  vec2 reflectance = meanFresnel(dot(v, sea.normal), deviation);
-  float fresnel = reflectance.x;
-  SeenSlopes facets = seenSlopes(seen, v, sea.residual);
-  vec2 slope = sea.slope + reflectingShift(facets, v, reflectance.y / fresnel);
-  Mirrored centre = mirroredBy(slope, v);
-  vec3 sky = environment(centre, facets.covariance);
-  // Part of the facets mirror what lies below the horizon, which is sea.
-  float above = shareAboveHorizon(centre.elevation, elevationSpread(facets.covariance, v.xz * perHorizontal));
-  vec3 reflected = mix(mix(frame.waterAlbedo.rgb * entering, sky, kSecondBounce), sky, above);
+  vec3 facets = reflectingFacets(dot(v, sea.normal), deviation);
+  float fresnel = facets.x;
+  SeenSlopes mirrors = seenSlopes(seen, v, sea.residual, facets.y, facets.z);
+  vec2 slope = sea.slope + mirrors.shift;
+  vec3 sky = environment(mirroredBy(slope, v), mirrors.covariance);
+  vec3 reflected = mix(frame.waterAlbedo.rgb * entering, sky, shareOfSky(slope, mirrors.covariance, v, sea.all));
 
   Shining disc = Shining(l, kSunAngularRadius, vec3(0), vec3(0), sunlight, light.sunRadiance.rgb);
   vec3 sun = mirroredLight(sea, seen, v, disc, false);

@@ -18,6 +18,7 @@ struct SeaPoint {
   vec2 slope;        // mean, of the displaced surface
   vec3 normal;       // of that slope, level frame
   vec3 residual;     // covariance of the slopes about their mean: xx, zz, xz
+  vec4 all;          // covariance of all the sea's slopes here; w: its reflectance seen from the horizon
   float compression; // how far the water is pushed together, -div D: near 1 at a crest about to break
   float foam;        // mean freshness of the foam, 0 ... 1
 };
@@ -119,6 +120,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   float shortest = gainAt(p, frame.waves.cascades - 1u);
   precise vec3 tail = variance * frame.waves.unresolved.xyz;
   sea.residual = moments.xyz + shortest * shortest * tail;
+  sea.all = vec4(shortest * shortest * frame.slopes.xyz, frame.slopes.w);
   sea.compression = -(gradient.z + gradient.w);
   sea.foam = 1.0 - foamFree;
   return sea;

@@ -57,6 +57,7 @@ struct CompositeFrame {
   vec4 hostLightRadiance[kMostHostLights];  // rgb
   // Slope covariance (xx, zz, xz) that maps sampled at a footprint show, of 2^i texels of the shortest cascade each.
   vec4 resolved[kFootprints];
+  vec4 slopes;         // of all the sea's slopes; w: reflectance of the sea seen from the horizon
   uint hostLights;     // that there are
   float planetRadius;  // at sea level [m]
   float skyContrast;   // factor on the sky's reflected light

@@ -17,9 +17,11 @@ double Drawn::distanceAt(std::uint32_t x, std::uint32_t y) const {
   return static_cast<double>(common::kNearPlane / depth[std::size_t{y} * extent.width + x]);
 }
 
-OceanScene::OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge)
+OceanScene::OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge,
+                       const std::function<void(common::Scene&)>& change)
     : gpu_(&gpu) {
   common::loadScene("--scene", name, scene_);
+  if (change) change(scene_);
   pelagic::OceanInfo info = common::oceanInfo(scene_);
   info.surface.targetEdge = targetEdge;
   ocean_.emplace(pelagic::Ocean::create(device, info).value());
@@ -31,11 +33,13 @@ std::size_t OceanScene::addView(VkExtent2D extent) {
     return common::createImage(*gpu_, format, extent, Usage::eStorage | Usage::eTransferSrc, "scene");
   };
   common::OwnedImage radiance = image(vk::Format::eR32G32B32A32Sfloat), depth = image(vk::Format::eR32Sfloat);
+  common::OwnedImage normal = image(vk::Format::eR32G32B32A32Sfloat);
   pelagic::CompositeTargets targets;
   targets.output = radiance.host({}, common::kTransferSource);
   targets.mergedDepth = depth.host({}, common::kTransferSource);
+  targets.normal = normal.host({}, common::kTransferSource);
   pelagic::OceanView view = ocean_->createView(targets).value();
-  targets_.push_back({std::move(radiance), std::move(depth), std::move(view)});
+  targets_.push_back({std::move(radiance), std::move(depth), std::move(normal), std::move(view)});
   return targets_.size() - 1;
 }
 
@@ -51,7 +55,10 @@ Drawn OceanScene::draw(std::size_t view, const common::View& from) {
   const auto read = [&](const common::OwnedImage& image) {
     return common::readFloats(*gpu_, *image.image, image.format, image.extent, common::kTransferSource);
   };
-  return {extent, read(target.radiance), read(target.depth)};
+  const std::vector<float> normal = read(target.normal);
+  std::vector<float> foam;
+  for (std::size_t i = 3; i < normal.size(); i += 4) foam.push_back(normal[i]);
+  return {extent, read(target.radiance), std::move(foam), read(target.depth)};
 }
 
 common::View fromAbove(const common::Scene& scene, double turn) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <common/scene.hpp>
+#include <functional>
 #include <pelagic/ocean.hpp>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace support {
 struct Drawn {
   VkExtent2D extent{};
   std::vector<float> radiance;  ///< rgba
+  std::vector<float> foam;      ///< Its cover.
   std::vector<float>
       depth;  ///< Reversed and infinite: 0.1 m over the distance along the axis; 0 where there is no water.
 
@@ -25,8 +27,9 @@ double luminance(const glm::dvec3& radiance);
 /// One scene and its views.
 class OceanScene {
  public:
-  /// `targetEdge`: of the sheet [px].
-  OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge = 12);
+  /// `targetEdge`: of the sheet [px]; `change`: of the scene.
+  OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge = 12,
+             const std::function<void(common::Scene&)>& change = {});
 
   /// Of a size that is drawn from now on.
   std::size_t addView(VkExtent2D extent);
@@ -34,10 +37,11 @@ class OceanScene {
   /// The scene as of the last setTime().
   Drawn draw(std::size_t view, const common::View& from);
   const common::Scene& scene() const { return scene_; }
+  const pelagic::Ocean& ocean() const { return *ocean_; }
 
  private:
   struct Target {
-    common::OwnedImage radiance, depth;
+    common::OwnedImage radiance, depth, normal;
     pelagic::OceanView view;
   };
   const common::GpuDevice* gpu_;

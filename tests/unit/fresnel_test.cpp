@@ -19,12 +19,13 @@ double reflectance(double cosIncidence, double index) {
   return 0.5 * (s * s + p * p);
 }
 
-/// Mean over the slopes seen by a midpoint rule on a fixed square, in double precision.
-double meanReflectance(double cosView, double along, double across) {
+/// Over the slopes seen by a midpoint rule on a fixed square, in double precision: mean reflectance, and mean and
+/// variance of the facing counted by it, from the mean facet's in deviations.
+glm::dvec3 meanReflection(double cosView, double along, double across) {
   const double sinView = std::sqrt(1 - cosView * cosView);
   const double tau = std::max(1e-9, sinView * along);
   constexpr int kSteps = 600;
-  double sum = 0;
+  double sum = 0, first = 0, second = 0;
   double weight = 0;
   for (int i = 0; i < kSteps; ++i) {
     const double x = -6 + 12 * (i + 0.5) / kSteps;
@@ -35,21 +36,26 @@ double meanReflectance(double cosView, double along, double across) {
       const double hidden = std::exp(-2 * (facing / tau + 0.2) * (cosView / tau + 0.2));
       const double w = facing * (1 - hidden) * std::exp(-0.5 * (x * x + y * y));
       const double slope2 = along * along * x * x + across * across * y * y;
-      sum += w * reflectance(std::min(1.0, facing / std::sqrt(1 + slope2)), kIndex);
+      const double mirrored = w * reflectance(std::min(1.0, facing / std::sqrt(1 + slope2)), kIndex);
+      sum += mirrored;
+      first += mirrored * (facing - cosView) / tau;
+      second += mirrored * std::pow((facing - cosView) / tau, 2);
       weight += w;
     }
   }
-  return sum / weight;
+  first /= sum;
+  return {sum / weight, first, second / sum - first * first};
 }
+double meanReflectance(double cosView, double along, double across) { return meanReflection(cosView, along, across).x; }
 
-float tableAt(const std::vector<float>& table, float cosView, float deviation) {
+glm::vec4 tableAt(const std::vector<glm::vec4>& table, float cosView, float deviation) {
   const glm::vec2 place = physics::fresnelTablePlace(cosView, deviation);
   const int i = std::min(static_cast<int>(place.x), physics::kFresnelTableWidth - 2);
   const int j = std::min(static_cast<int>(place.y), physics::kFresnelTableHeight - 2);
   const glm::vec2 f = place - glm::vec2(i, j);
-  const float* entry = table.data() + j * physics::kFresnelTableWidth + i;
-  const float low = glm::mix(entry[0], entry[1], f.x);
-  const float high = glm::mix(entry[physics::kFresnelTableWidth], entry[physics::kFresnelTableWidth + 1], f.x);
+  const glm::vec4* entry = table.data() + j * physics::kFresnelTableWidth + i;
+  const glm::vec4 low = glm::mix(entry[0], entry[1], f.x);
+  const glm::vec4 high = glm::mix(entry[physics::kFresnelTableWidth], entry[physics::kFresnelTableWidth + 1], f.x);
   return glm::mix(low, high, f.y);
 }
 
@@ -84,10 +90,16 @@ TEST(Fresnel, TableAgreesWithQuadrature) {
   const auto table = fresnelTable();
   for (const double deviation : {0.01, 0.03, 0.06, 0.1, 0.16, 0.25, 0.4}) {
     for (const double cosView : {0.0, 0.005, 0.03, 0.1, 0.22, 0.4, 0.6, 0.85, 1.0}) {
-      const double expected = meanReflectance(cosView, deviation, deviation);
-      EXPECT_NEAR(meanFresnel(cosView, deviation), expected, 5e-4) << cosView << ' ' << deviation;
-      EXPECT_NEAR(tableAt(table, static_cast<float>(cosView), static_cast<float>(deviation)), expected, 0.006)
-          << cosView << ' ' << deviation;
+      const glm::dvec3 expected = meanReflection(cosView, deviation, deviation);
+      const ReflectingFacets facets = reflectingFacets(cosView, deviation);
+      EXPECT_NEAR(facets.reflectance, expected.x, 5e-4) << cosView << ' ' << deviation;
+      const glm::vec4 entry = tableAt(table, static_cast<float>(cosView), static_cast<float>(deviation));
+      EXPECT_NEAR(entry.x, expected.x, 0.006) << cosView << ' ' << deviation;
+      if (cosView == 1) continue;  // all facets face alike
+      EXPECT_NEAR(facets.facing, expected.y, 2e-3) << cosView << ' ' << deviation;
+      EXPECT_NEAR(facets.variance, expected.z, 2e-3) << cosView << ' ' << deviation;
+      EXPECT_NEAR(entry.y, expected.y, 0.03) << cosView << ' ' << deviation;
+      EXPECT_NEAR(entry.z, expected.z, 0.03) << cosView << ' ' << deviation;
     }
   }
 }
@@ -105,7 +117,7 @@ TEST(Fresnel, FitStaysWithinItsStatedError) {
   for (const double deviation : {0.02, 0.06, 0.1, 0.16, 0.25}) {
     for (double c = 0; c <= 1; c += 0.05) {
       const double fit = physics::meanFresnelFit(static_cast<float>(c), static_cast<float>(deviation));
-      worst = std::max(worst, std::abs(fit - meanFresnel(c, deviation)));
+      worst = std::max(worst, std::abs(fit - reflectingFacets(c, deviation).reflectance));
     }
   }
   EXPECT_LT(worst, 0.16);
