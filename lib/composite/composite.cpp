@@ -140,8 +140,6 @@ Result<Composite> Composite::create(Device& device) {
               gpu::ComputePass::create(
                   *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
   impl->resolve = std::move(resolve);
-  // The view that nearly every host has.
-  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1}));
   return Composite(std::move(impl));
 }
 
