@@ -26,13 +26,14 @@ double luminance(const glm::dvec3& radiance);
 class OceanScene {
  public:
   /// `targetEdge`: of the sheet [px].
-  OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge = 12);
+  OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge = 12,
+             const pelagic::GainMap& gain = {});
 
   /// Of a size that is drawn from now on.
   std::size_t addView(VkExtent2D extent);
   void setTime(double seconds);
-  /// The scene as of the last setTime().
-  Drawn draw(std::size_t view, const common::View& from);
+  /// The scene as of the last setTime(), the camera rolled by `roll` [rad], to the left where it is positive.
+  Drawn draw(std::size_t view, const common::View& from, double roll = 0);
   const common::Scene& scene() const { return scene_; }
 
  private:
