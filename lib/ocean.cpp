@@ -79,7 +79,7 @@ void OceanView::record(VkCommandBuffer commands, const Camera& camera, Timings* 
   const WaveMaps maps = ocean.waves.maps();
   impl_->sky.record(commands, camera, timings);
   impl_->surface.record(commands, maps, camera, timings);
-  impl_->composite.record(commands, maps, camera, ocean.medium, timings);
+  impl_->composite.record(commands, maps, impl_->surface.buffer(), camera, ocean.medium, timings);
 }
 
 WaterBuffer OceanView::waterBuffer() const noexcept { return impl_->surface.buffer(); }

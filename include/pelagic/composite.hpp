@@ -83,7 +83,9 @@ struct CompositeTargets {
   /// for a host whose colour has its own.
   bool airBeforeHost = true;
   /// Optional outputs, STORAGE usage, every pixel written:
-  std::optional<HostImage> normal;  ///< rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water.
+  /// rgba16f or rgba32f: water normal (world, unit), foam in A. 0 without water. Of the mean slope in the pixel, before
+  /// shading moves it to where the waves that the sheet is too coarse for are in sight.
+  std::optional<HostImage> normal;
   std::optional<HostImage> slopeVariance;  ///< rg16f or rg32f: unresolved slope variance along world x and z [1].
   std::optional<HostImage> mergedDepth;    ///< r32f: depth of sea and host merged, in the camera's convention.
 };
@@ -118,9 +120,10 @@ class CompositeView {
   CompositeView& operator=(CompositeView&&) noexcept;
   ~CompositeView();
 
-  /// Shades the water buffer. Every host image goes from its `before` to its `after` state.
-  void record(VkCommandBuffer commands, const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-              Timings* timings = nullptr) noexcept;
+  /// Shades the water buffer; `waves` and `water` as Waves::maps() and SurfaceView::buffer() return them now. Every
+  /// host image goes from its `before` to its `after` state.
+  void record(VkCommandBuffer commands, const WaveMaps& waves, const WaterBuffer& water, const Camera& camera,
+              const WaterMedium& medium, Timings* timings = nullptr) noexcept;
 
  private:
   struct Impl;

@@ -49,7 +49,8 @@ enum class Stage : std::uint32_t { waves, sky, surface, composite, count };
 /// Bytes of device memory that each stage holds now, indexed by Stage.
 using MemoryUsage = std::array<std::uint64_t, static_cast<std::size_t>(Stage::count)>;
 
-/// What every stage is created from. Must outlive them. Move-only; `create` and the members are not synchronised
+/// What every stage is created from. Must outlive them. Keeps their compute pipelines, so that whatever is created
+/// later with the same ones compiles none. Move-only; `create` and the members are not synchronised
 /// against each other: one thread at a time per Device.
 class Device {
  public:

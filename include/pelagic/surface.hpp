@@ -27,8 +27,9 @@ struct WaterBuffer {
   /// d32f: depth as the camera's projection writes it; cleared to the far value.
   MapView depth;
   double planetRadius = kEarthRadius;  ///< As SurfaceInfo::planetRadius.
-  /// As SurfaceInfo::targetEdge [px], 0 … 64. 0: the depth has whatever waves the pixels resolve.
-  float targetEdge = 0;
+  /// Side of the sheet's cells on screen in the last record() [px]: SurfaceInfo::targetEdge, or more where a view
+  /// needed larger ones. 0: the depth has whatever waves the pixels resolve.
+  float cellEdge = 0;
 };
 
 /// Pipelines shared by all views. Move-only; one thread at a time.

@@ -87,7 +87,6 @@ struct CompositeView::Impl {
   const Passes* passes = nullptr;
   const Composite::Impl* composite = nullptr;
   CompositeTargets targets;
-  SurfaceInfo sheet;  ///< That the water was drawn with.
   gpu::Buffer frame;
   gpu::Buffer tiles;
   gpu::Image shaded;  ///< The output where the surface breaks off: shaders/composite/edges.glsl.
@@ -140,8 +139,6 @@ Result<Composite> Composite::create(Device& device) {
               gpu::ComputePass::create(
                   *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
   impl->resolve = std::move(resolve);
-  // The view that nearly every host has.
-  PELAGIC_CHECK(impl->passes({0, 0, 0, 0, 0, 0, 1}));
   return Composite(std::move(impl));
 }
 
@@ -258,8 +255,6 @@ Result<CompositeView> CompositeView::create(Composite& composite, const WaveMaps
   auto impl = std::make_unique<Impl>();
   impl->context = shared.context;
   impl->targets = targets;
-  impl->sheet.planetRadius = water.planetRadius;
-  impl->sheet.targetEdge = water.targetEdge;
   const Variant variant{targets.color.has_value(),
                         targets.normal.has_value(),
                         targets.slopeVariance.has_value(),
@@ -338,8 +333,8 @@ void CompositeView::Impl::recordTargets(vk::CommandBuffer commands, bool before)
   barrier.record(*context, commands);
 }
 
-void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves, const Camera& camera,
-                           const WaterMedium& medium, Timings* timings) noexcept {
+void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves, const WaterBuffer& water,
+                           const Camera& camera, const WaterMedium& medium, Timings* timings) noexcept {
   const vk::CommandBuffer commands(commandBuffer);
   Impl& view = *impl_;
   const VkExtent2D extent = view.targets.output.extent;
@@ -349,7 +344,7 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     if (timings) timings->end(commandBuffer);
   };
   measured("composite classify", [&] {
-    view.recordInputs(commands, compositeFrame(waves, camera, medium, extent, view.sheet, view.composite->lights));
+    view.recordInputs(commands, compositeFrame(waves, water, camera, medium, extent, view.composite->lights));
     view.recordTargets(commands, true);
     view.passes->classify.bind(commands, view.set);
     // A tile an invocation, 8 x 8 of them a group.
@@ -366,10 +361,10 @@ void CompositeView::record(VkCommandBuffer commandBuffer, const WaveMaps& waves,
     shade(view.passes->shade, shader::kNightTiles);
   });
   measured("composite water", [&] {
-    const TilePasses& water = view.composite->lights.empty() ? view.passes->shade : *view.passes->lit;
-    shade(water, shader::kWaterTiles);
-    shade(water, shader::kFoamTiles);
-    shade(water, shader::kVeiledTiles);
+    const TilePasses& ofWater = view.composite->lights.empty() ? view.passes->shade : *view.passes->lit;
+    shade(ofWater, shader::kWaterTiles);
+    shade(ofWater, shader::kFoamTiles);
+    shade(ofWater, shader::kVeiledTiles);
   });
   measured("composite resolve", [&] {
     gpu::Barrier barrier;

@@ -99,8 +99,8 @@ void setSlopes(shader::CompositeFrame& frame) noexcept {
 
 }  // namespace
 
-shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, const SurfaceInfo& sheet,
+shader::CompositeFrame compositeFrame(const WaveMaps& waves, const WaterBuffer& water, const Camera& camera,
+                                      const WaterMedium& medium, VkExtent2D extent,
                                       std::span<const HostLight> lights) noexcept {
   shader::CompositeFrame frame{};
   const glm::dvec2 eye(camera.position.x, camera.position.z);
@@ -111,7 +111,7 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
   frame.thinCrest.w = static_cast<float>(streaks);
   const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
-  const float radius = static_cast<float>(sheet.planetRadius);
+  const float radius = static_cast<float>(water.planetRadius);
   frame.thickCrest.w = shader::horizonElevation(height, radius);
   setRays(camera, extent, frame);
   // In double precision, since the eye may be 1e9 m from the origin.
@@ -120,11 +120,11 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camer
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
-  for (const HostLight& light : lights) setLight(light, camera.position, sheet.planetRadius, frame);
+  for (const HostLight& light : lights) setLight(light, camera.position, water.planetRadius, frame);
   frame.planetRadius = radius;
   setResolved(waves, frame);
   setSlopes(frame);
-  frame.sheet.x = sheet.targetEdge;
+  frame.sheet.x = water.cellEdge;
   frame.width = extent.width;
   frame.height = extent.height;
   const std::uint32_t tile = shader::kTileSize;

@@ -8,8 +8,8 @@
 
 namespace pelagic {
 
-shader::CompositeFrame compositeFrame(const WaveMaps& waves, const Camera& camera, const WaterMedium& medium,
-                                      VkExtent2D extent, const SurfaceInfo& sheet,
+shader::CompositeFrame compositeFrame(const WaveMaps& waves, const WaterBuffer& water, const Camera& camera,
+                                      const WaterMedium& medium, VkExtent2D extent,
                                       std::span<const HostLight> lights) noexcept;
 
 }  // namespace pelagic

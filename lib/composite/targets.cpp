@@ -95,7 +95,7 @@ Result<void> validate(const SkyMaps& sky, const WaterBuffer& water) {
     return gpu::reject("SkyMaps::light has " + std::to_string(sky.light ? sky.lightSize : 0) +
                        " bytes, it must have at least " + std::to_string(sizeof(shader::SkyLight)));
   }
-  PELAGIC_CHECK(gpu::check("WaterBuffer::", {{"targetEdge", water.targetEdge, 0, 64, "0 to 64 px"},
+  PELAGIC_CHECK(gpu::check("WaterBuffer::", {{"cellEdge", water.cellEdge, 0, 1e4, "0 to 1e4 px"},
                                              {"planetRadius", water.planetRadius, 1e5, 1e8, "1e5 to 1e8 m"}}));
   if (sky.planetRadius != water.planetRadius) {
     std::ostringstream text;

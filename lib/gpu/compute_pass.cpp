@@ -82,14 +82,15 @@ Result<Unique<vk::ShaderModule>> createShader(Context& context, std::string_view
   return std::move(shader.value);
 }
 
-Result<ComputePass> ComputePass::create(Context& context, const ComputePassInfo& info) {
-  ComputePass result;
-  result.context_ = &context;
+namespace {
+
+Result<std::shared_ptr<const CompiledPass>> compile(Context& context, const ComputePassInfo& info) {
+  auto result = std::make_shared<CompiledPass>();
   PELAGIC_TRY(descriptors,
               DescriptorLayout::create(context, info.name, info.bindings, vk::ShaderStageFlagBits::eCompute));
-  result.descriptors_ = std::move(descriptors);
+  result->descriptors = std::move(descriptors);
 
-  const vk::DescriptorSetLayout setLayout = result.descriptors_.handle();
+  const vk::DescriptorSetLayout setLayout = result->descriptors.handle();
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, info.pushBytes);
   vk::PipelineLayoutCreateInfo layoutInfo({}, setLayout);
   if (info.pushBytes > 0) layoutInfo.setPushConstantRanges(push);
@@ -97,8 +98,8 @@ Result<ComputePass> ComputePass::create(Context& context, const ComputePassInfo&
   if (layout.result != vk::Result::eSuccess) {
     return fail(layout.result, "create the pipeline layout of " + std::string(info.name));
   }
-  result.layout_ = std::move(layout.value);
-  context.name(*result.layout_, info.name);
+  result->layout = std::move(layout.value);
+  context.name(*result->layout, info.name);
 
   PELAGIC_TRY(shader, createShader(context, info.name, info.code));
   std::vector<vk::SpecializationMapEntry> entries;
@@ -107,20 +108,41 @@ Result<ComputePass> ComputePass::create(Context& context, const ComputePassInfo&
                                          info.constants.size_bytes(), info.constants.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
   auto pipeline = context.device.createComputePipelineUnique(context.pipelineCache,
-                                                             vk::ComputePipelineCreateInfo({}, stage, *result.layout_),
+                                                             vk::ComputePipelineCreateInfo({}, stage, *result->layout),
                                                              context.allocator(), context.dispatch);
   if (pipeline.result != vk::Result::eSuccess) {
     return fail(pipeline.result, "create the pipeline " + std::string(info.name));
   }
-  result.pipeline_ = std::move(pipeline.value);
-  context.name(*result.pipeline_, info.name);
+  result->pipeline = std::move(pipeline.value);
+  context.name(*result->pipeline, info.name);
+  return result;
+}
+
+}  // namespace
+
+Result<ComputePass> ComputePass::create(Context& context, const ComputePassInfo& info) {
+  std::vector<std::uint32_t> specialisation{info.pushBytes};
+  for (const Binding& b : info.bindings) {
+    specialisation.insert(specialisation.end(), {b.index, static_cast<std::uint32_t>(b.type), b.count});
+  }
+  specialisation.insert(specialisation.end(), info.constants.begin(), info.constants.end());
+  const auto key = std::pair(info.code.data(), std::move(specialisation));
+  auto found = context.passes.find(key);
+  if (found == context.passes.end()) {
+    PELAGIC_TRY(compiled, compile(context, info));
+    found = context.passes.emplace(key, std::move(compiled)).first;
+  }
+  ComputePass result;
+  result.context_ = &context;
+  result.compiled_ = found->second;
   return result;
 }
 
 void ComputePass::bind(vk::CommandBuffer commands, const DescriptorSet& set) const noexcept {
-  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_, context_->dispatch);
+  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *compiled_->pipeline, context_->dispatch);
   const vk::DescriptorSet handle = set.handle();
-  commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, 1, &handle, 0, nullptr, context_->dispatch);
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *compiled_->layout, 0, 1, &handle, 0, nullptr,
+                              context_->dispatch);
 }
 
 }  // namespace pelagic::gpu

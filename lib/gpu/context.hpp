@@ -4,15 +4,20 @@
 #include <array>
 #include <cstdint>
 #include <gpu/vulkan.hpp>
+#include <map>
+#include <memory>
 #include <pelagic/device.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pelagic::gpu {
 
 using Dispatch = vk::DispatchLoaderDynamic;
 template <class T>
 using Unique = vk::UniqueHandle<T, Dispatch>;
+
+struct CompiledPass;
 
 /// Lives on the heap and is never moved: unique handles point to `dispatch` and `allocator`.
 struct Context {
@@ -29,6 +34,9 @@ struct Context {
   std::uint64_t timestampMask = ~0ull;  ///< The bits of a timestamp that the queue family counts.
   bool namesObjects = false;
   MemoryUsage memory{};
+  /// Every compute pipeline of this device, by its code and by what it was specialised with: a new view, or an ocean
+  /// in place of another, compiles none of them again.
+  std::map<std::pair<const std::uint32_t*, std::vector<std::uint32_t>>, std::shared_ptr<const CompiledPass>> passes;
 
   vk::Optional<const vk::AllocationCallbacks> allocator() const noexcept {
     return vk::Optional<const vk::AllocationCallbacks>(hasAllocator ? &allocatorStorage : nullptr);

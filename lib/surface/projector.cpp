@@ -188,6 +188,7 @@ Grid projectGrid(const Camera& camera, VkExtent2D extent, double targetEdge, con
   const double height = camera.position.y;
   const Frustum frustum = frustumOf(camera, extent);
   Grid grid;
+  grid.edge = targetEdge;
   grid.right = frustum.right;
   grid.forward = frustum.forward;
   grid.radius = horizonDistance(std::max(std::abs(height), 0.05), relief.planetRadius) +
@@ -204,6 +205,7 @@ Grid projectGrid(const Camera& camera, VkExtent2D extent, double targetEdge, con
     const RowDensity density = densityOf(frustum, height, relief, edge, edge / targetEdge);
     const Range columns = columnRange(hull, density, relief.horizontal);
     grid.columnStep = edge / frustum.pixels.x;
+    grid.edge = edge;
     const double columnBlocks = std::ceil((columns.high - columns.low) / (grid.columnStep * kBlockCells));
     const double rowBlocks = std::ceil(density.count(near, far) / kBlockCells);
     if (!std::isfinite(columnBlocks * rowBlocks)) return grid;

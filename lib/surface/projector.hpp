@@ -34,6 +34,7 @@ struct Grid {
   glm::dvec2 forward{0, -1};  ///< World (x,z) of Z.
   double firstColumn = 0;
   double columnStep = 0;
+  double edge = 0;                 ///< Of the cells [px].
   double radius = 0;               ///< Nothing beyond this distance from the camera's foot can be seen [m].
   std::uint32_t columnBlocks = 0;  ///< 0 when no water can be in the picture.
   std::uint32_t rowBlocks = 0;

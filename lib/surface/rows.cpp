@@ -2,8 +2,12 @@
 #include <cmath>
 #include <surface/rows.hpp>
 
+#include "physics/sheet.glsl"
+
 namespace pelagic::surface {
 namespace {
+
+constexpr double kLongestCell{physics::kLongestCell}, kFlatter{physics::kFlatter};
 
 /// Mean of 1/W over a stretch on which W runs linearly from a to b.
 double meanInverse(double a, double b) noexcept {
@@ -27,9 +31,9 @@ double RowDensity::width(double z) const noexcept {
 
 double RowDensity::density(double z) const noexcept {
   const double w = width(z);
-  const double flat = height / (step * w * w);
-  const double waves = w < reach ? std::min(1 / (kAspect * step * w), kFlatter * flat) * (1 - w / reach) : 0;
-  return flat + waves + curvature / std::sqrt(w);
+  const double waves = w < reach ? 1 - w / reach : 0;
+  const double rows{physics::rowsPerWidth(static_cast<float>(height / w), static_cast<float>(waves))};
+  return rows / (step * w) + curvature / std::sqrt(w);
 }
 
 double RowDensity::count(double from, double to) const noexcept {
@@ -48,7 +52,7 @@ double RowDensity::linearCount(double from, double to) const noexcept {
   const double b = width(to);
   double rows = (to - from) * (height / (step * a * b) + 2 * curvature / (std::sqrt(a) + std::sqrt(b)));
   // The waves' demand has one form up to `turn` and another from there to `reach`.
-  const double turn = std::min(kFlatter * kAspect * height, reach);
+  const double turn = std::min(kFlatter * kLongestCell * height, reach);
   const double low = std::min(a, b);
   const double high = std::max(a, b);
   const auto stretch = [&](double wa, double wb) {
@@ -56,7 +60,7 @@ double RowDensity::linearCount(double from, double to) const noexcept {
   };
   if (low < turn) {
     const double end = std::min(high, turn);
-    rows += stretch(low, end) * (meanInverse(low, end) - 1 / reach) / (kAspect * step);
+    rows += stretch(low, end) * (meanInverse(low, end) - 1 / reach) / (kLongestCell * step);
   }
   if (low < reach && high > turn) {
     const double start = std::max(low, turn);

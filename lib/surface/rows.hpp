@@ -10,8 +10,8 @@ namespace pelagic::surface {
 /// `floor` there is no water in the picture but what the waves bring in: from there back toward the camera cells grow
 /// again, W rising by a metre per metre up to 2 floor.
 /// Three demands on the rows add up: uniform on screen for a flat sea seen from `height`: height / (step W^2); cells at
-/// most kAspect times as long as wide, within reason (kFlatter), while the waves span a pixel, W < reach; and chords
-/// that stay close to the sphere: curvature / sqrt(W).
+/// most kLongestCell times as long as wide, within reason (kFlatter, physics/sheet.glsl), while the waves span a pixel,
+/// W < reach; and chords that stay close to the sphere: curvature / sqrt(W).
 struct RowDensity {
   double step = 0;       ///< Cell width per W [1], > 0.
   double slope = 0;      ///< dW/dZ in the picture [1], 0 … 1.
@@ -34,11 +34,5 @@ struct RowDensity {
  private:
   double linearCount(double from, double to) const noexcept;
 };
-
-/// Longest cell relative to its width where waves are large.
-inline constexpr double kAspect = 4;
-/// But at most this many rows more than a flat sea needs. Crests against the sky need rows that would lie within a
-/// pixel of each other if the sea were flat.
-inline constexpr double kFlatter = 16;
 
 }  // namespace pelagic::surface

@@ -43,6 +43,7 @@ struct SurfaceView::Impl {
   VkExtent2D extent{};
   std::array<VkImageView, 2> displacementViews{};
   surface::GridLimits limits;
+  double cellEdge = 0;  ///< As recorded last, or as asked for [px].
   std::vector<glm::vec2> rows;
   shader::SurfaceFrame frame{};
   glm::dvec3 previousPosition{0};
@@ -160,6 +161,7 @@ surface::Grid SurfaceView::Impl::prepare(const WaveMaps& maps, const Camera& cam
   const surface::Relief relief = surface::reliefOf(maps, surface->info.planetRadius);
   const auto grid =
       surface::projectGrid(camera, extent, static_cast<double>(surface->info.targetEdge), relief, limits, rows);
+  cellEdge = grid.edge;
   const glm::mat4 clip = camera.projection * glm::mat4(camera.rotation);
   const glm::dvec3 moved = hasPrevious ? camera.position - previousPosition : glm::dvec3(0);
   frame.previousClip = hasPrevious ? frame.clip : clip;
@@ -272,7 +274,8 @@ Result<SurfaceView> SurfaceView::create(Surface& surface, const WaveMaps& maps, 
   auto impl = std::make_unique<Impl>();
   impl->surface = surface.impl_.get();
   impl->extent = extent;
-  impl->limits = surface::limitsOf(extent, static_cast<double>(surface.impl_->info.targetEdge));
+  impl->cellEdge = static_cast<double>(surface.impl_->info.targetEdge);
+  impl->limits = surface::limitsOf(extent, impl->cellEdge);
   PELAGIC_CHECK(impl->createImages());
   PELAGIC_CHECK(impl->createBuffers());
   PELAGIC_CHECK(impl->createSets(maps));
@@ -298,7 +301,7 @@ WaterBuffer SurfaceView::buffer() const noexcept {
           impl_->body.map(),
           impl_->depth.map(),
           impl_->surface->info.planetRadius,
-          impl_->surface->info.targetEdge};
+          static_cast<float>(impl_->cellEdge)};
 }
 
 VkBuffer SurfaceView::drawArguments() const noexcept { return impl_->arguments.handle(); }

@@ -2,6 +2,7 @@
 #ifndef PELAGIC_COMPOSITE_FOOTPRINT_GLSL
 #define PELAGIC_COMPOSITE_FOOTPRINT_GLSL
 #include "pelagic/shader/wave_lookup.glsl"
+#include "physics/sheet.glsl"
 
 // The maps' mips are square, a pixel's footprint on the water is an ellipse `across` [m] wide and drawn out by the slant of
 // the view, of which `slant` is the sine. A square stands for it whose side lies between the ellipse's two, nearer the
@@ -29,11 +30,11 @@ vec3 resolvedCovariance(float footprint) {
   return mix(frame.resolved[i].xyz, frame.resolved[i + 1u].xyz, place - float(i));
 }
 
-// The same of what pixels `across` wide [m] show at the footprint `side` and the sheet is too coarse for, whose cells are as
-// long as lib/surface/rows.hpp says where a flat sea is seen at the sine `height`.
+// The same of what pixels `across` wide [m] show at the footprint `side` and the sheet is too coarse for, where a flat sea is
+// seen at the sine `height`.
 vec3 withoutRelief(float side, float across, float height) {
   float waves = clamp(1.0 - across / max(frame.waves.unresolved.w, 1e-6), 0.0, 1.0);
-  float cell = frame.sheet.x * across / (height + min(0.25, 16.0 * height) * waves);
+  float cell = frame.sheet.x * across / rowsPerWidth(height, waves);
   return resolvedCovariance(side) - resolvedCovariance(max(cell, side));
 }
 

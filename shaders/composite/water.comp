@@ -26,10 +26,19 @@ vec3 levelled(vec3 d, vec2 p) {
 }
 #include "composite/host_lights.glsl"
 
-// Distance on the undisplaced sea from p to what a neighbouring pixel shows of it [m]; negative where it shows none.
-float distanceToNeighbour(ivec2 pixel, vec2 p) {
-  if (pixel.y < 0 || pixel.y >= int(frame.height) || texelFetch(waterBody, pixel, 0).r == 0u) return -1.0;
-  return distance(texelFetch(waterPosition, pixel, 0).xy, p);
+// How far what a neighbouring pixel shows of the undisplaced sea lies from p along the unit vector `away` [m]; negative where
+// it shows none.
+float distanceToNeighbour(ivec2 pixel, vec2 p, vec2 away) {
+  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return -1.0;
+  if (texelFetch(waterBody, pixel, 0).r == 0u) return -1.0;
+  return abs(dot(texelFetch(waterPosition, pixel, 0).xy - p, away));
+}
+
+// Toward where the view rises fastest on screen, which leads away from the eye over the sea: unit length [px].
+vec2 risingOnScreen(vec3 d) {
+  vec2 rise = vec2(frame.rayX.y - d.y * dot(d, frame.rayX.xyz), frame.rayY.y - d.y * dot(d, frame.rayY.xyz));
+  float squared = dot(rise, rise);
+  return squared > 0.0 ? rise * inversesqrt(squared) : vec2(0, 1);
 }
 
 void main() {
@@ -45,12 +54,15 @@ void main() {
   vec2 p = texelFetch(waterPosition, tile.pixel, 0).xy;
   vec3 v = levelled(-d, p);
   vec3 l = levelled(light.sunDirection.xyz, p);
-  // What a pixel covers of the undisplaced sea, from its neighbours above and below, as far as they are water; one of them
-  // may lie beyond a crest.
+  // What a pixel covers of the undisplaced sea, from its neighbours away from the eye and toward it, however the camera is
+  // rolled, as far as they are water; one of them may lie beyond a crest.
   float across = axial * frame.waterAlbedo.w;
-  float a = distanceToNeighbour(tile.pixel - ivec2(0, 1), p);
-  float b = distanceToNeighbour(tile.pixel + ivec2(0, 1), p);
-  float along = a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b));
+  vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
+  vec2 rising = risingOnScreen(d);
+  ivec2 neighbour = ivec2(round(rising));
+  float a = distanceToNeighbour(tile.pixel - neighbour, p, away);
+  float b = distanceToNeighbour(tile.pixel + neighbour, p, away);
+  float along = (a < 0.0 || b < 0.0 ? max(a, b) : min(max(a, b), 3.0 * min(a, b))) / dot(vec2(neighbour), rising);
   float slant = across / max(along, across);
   float side = footprintSide(across, slant);
   SeaPoint sea = seaPoint(p, side, across, tile.cascades, tile.foaming);
@@ -65,7 +77,6 @@ void main() {
   if (kHostLights) lit = hostLit(sea, normal.xyz, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
-    vec2 away = d.xz * inversesqrt(max(dot(d.xz, d.xz), 1e-8));
     Foam foam = foamAt(sea.foam, p, across, max(along, across) * away);
     vec3 top = normalize(normal.xyz - vec3(away.x, 0, away.y) * foam.rise);
     vec3 foamLight = sun * max(dot(top, l), 0.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * top.y) + lit.foam;

@@ -212,7 +212,7 @@ void SyntheticScene::render(pelagic::Device& device) {
   ASSERT_TRUE(view) << view.error().message;
   const auto lit = composite->setLights(lights);
   ASSERT_TRUE(lit) << lit.error().message;
-  gpu_->run([&](vk::CommandBuffer commands) { view->record(commands, waves, camera, medium); });
+  gpu_->run([&](vk::CommandBuffer commands) { view->record(commands, waves, water_, camera, medium); });
   const auto read = [&](const common::OwnedImage& image) {
     return common::readFloats(*gpu_, *image.image, image.format, extent, common::kTransferSource);
   };

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <pelagic/sky.hpp>
 #include <pelagic/timings.hpp>
 #include <string_view>
 
@@ -38,6 +39,26 @@ PFN_vkVoidFunction VKAPI_CALL smallerDevice(VkInstance instance, const char* nam
                                                      });
   }
   return vkGetInstanceProcAddr(instance, name);
+}
+
+/// Compute pipelines that were compiled on a device of countingDevice().
+std::uint32_t compiled = 0;
+
+PFN_vkVoidFunction VKAPI_CALL countingPipelines(VkDevice device, const char* name) {
+  const std::string_view wanted = name;
+  if (wanted == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(countingPipelines);
+  if (wanted != "vkCreateComputePipelines") return vkGetDeviceProcAddr(device, name);
+  return reinterpret_cast<PFN_vkVoidFunction>(
+      +[](VkDevice owner, VkPipelineCache cache, std::uint32_t count, const VkComputePipelineCreateInfo* infos,
+          const VkAllocationCallbacks* allocator, VkPipeline* pipelines) VKAPI_CALL {
+        compiled += count;
+        return vkCreateComputePipelines(owner, cache, count, infos, allocator, pipelines);
+      });
+}
+
+PFN_vkVoidFunction VKAPI_CALL countingDevice(VkInstance instance, const char* name) {
+  if (std::string_view(name) != "vkGetDeviceProcAddr") return vkGetInstanceProcAddr(instance, name);
+  return reinterpret_cast<PFN_vkVoidFunction>(countingPipelines);
 }
 
 TEST_F(DeviceTest, MissingFeatureIsNamed) {
@@ -100,6 +121,22 @@ TEST_F(DeviceTest, HostAllocatorIsUsedAndGivenEverythingBack) {
     EXPECT_GT(counter.calls, 0u);
   }
   EXPECT_TRUE(counter.live.empty());
+}
+
+TEST_F(DeviceTest, CompilesEachPipelineOnce) {
+  pelagic::DeviceInfo info = gpu().info();
+  info.getInstanceProcAddr = countingDevice;
+  auto counted = pelagic::Device::create(info);
+  ASSERT_TRUE(counted);
+  const auto compiledFor = [&](double planetRadius) {
+    const std::uint32_t before = compiled;
+    const auto sky = pelagic::Sky::create(*counted, {}, planetRadius);
+    EXPECT_TRUE(sky && pelagic::SkyView::create(*sky, {64, 64}));
+    return compiled - before;
+  };
+  EXPECT_GT(compiledFor(pelagic::kEarthRadius), 10u);
+  EXPECT_EQ(compiledFor(pelagic::kEarthRadius), 0u) << "of a second sky, when the first has gone";
+  EXPECT_GT(compiledFor(2e6), 0u) << "the radius is one of their constants";
 }
 
 TEST_F(DeviceTest, NullHandleIsNamed) {

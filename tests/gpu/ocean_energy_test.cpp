@@ -1,5 +1,7 @@
 /// The light of the far sea is the same however many pixels share it, and however coarse the sheet is that carries it.
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ocean_scene.hpp"
 
@@ -8,7 +10,11 @@ namespace {
 using support::Drawn;
 using support::OceanScene;
 
-class OceanEnergyTest : public support::GpuTest {};
+class OceanEnergyTest : public support::GpuTest {
+ protected:
+  /// Of a scene, on a sheet with cells of `edge` [px], summed over three moments.
+  glm::dvec3 onSheetOf(float edge, const char* name, const pelagic::GainMap& gain = {});
+};
 
 /// The far third of the water, in parts of the picture's height: 45 m off to where the horizon begins to show in a
 /// pixel.
@@ -23,8 +29,20 @@ glm::dvec3 farRadiance(const Drawn& drawn) {
   return sum / static_cast<double>((row(kLast) - row(kFirst)) * drawn.extent.width);
 }
 
-constexpr const char* kLights[] = {"trade-wind", "sunset-glitter", "overcast-swell"};  // high sun, low sun, clouds
+// High sun, low sun, clouds, light wind.
+constexpr const char* kLights[] = {"trade-wind", "sunset-glitter", "overcast-swell", "noon-calm"};
 constexpr VkExtent2D kSmallest{160, 90};
+
+glm::dvec3 OceanEnergyTest::onSheetOf(float edge, const char* name, const pelagic::GainMap& gain) {
+  OceanScene scene(gpu(), device(), name, edge, {}, gain);
+  const std::size_t view = scene.addView({2 * kSmallest.width, 2 * kSmallest.height});
+  glm::dvec3 sum(0);
+  for (int moment = 0; moment < 3; ++moment) {
+    scene.setTime(scene.scene().time + 10 * moment);
+    sum += farRadiance(scene.draw(view, support::fromAbove(scene.scene())));
+  }
+  return sum;
+}
 
 void expectEqual(const glm::dvec3& a, const glm::dvec3& b, const std::string& what) {
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(a[channel] / b[channel], 1, 0.02) << what << ' ' << channel;
@@ -48,20 +66,42 @@ TEST_F(OceanEnergyTest, IsTheSameAtOnceTwiceAndFourTimesTheResolution) {
   }
 }
 
-// What the sheet is too coarse to hide is hidden in shading.
-TEST_F(OceanEnergyTest, IsTheSameOnAnySheet) {
+// The same pixels of the same sea, whichever way the picture's columns run.
+TEST_F(OceanEnergyTest, IsTheSameWithTheCameraOnItsSide) {
+  constexpr std::uint32_t kSide = 2 * kSmallest.height;
   for (const char* name : kLights) {
-    glm::dvec3 means[2] = {};
-    for (int sheet = 0; sheet < 2; ++sheet) {
-      OceanScene scene(gpu(), device(), name, sheet == 0 ? 3.0f : 24.0f);
-      const std::size_t view = scene.addView({2 * kSmallest.width, 2 * kSmallest.height});
-      for (int moment = 0; moment < 3; ++moment) {
-        scene.setTime(scene.scene().time + 10 * moment);
-        means[sheet] += farRadiance(scene.draw(view, support::fromAbove(scene.scene())));
+    OceanScene scene(gpu(), device(), name);
+    const std::size_t view = scene.addView({kSide, kSide});
+    scene.setTime(scene.scene().time);
+    const Drawn upright = scene.draw(view, support::fromAbove(scene.scene()));
+    Drawn turned = scene.draw(view, support::fromAbove(scene.scene()), std::numbers::pi / 2);
+    const Drawn onItsSide = turned;
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+      for (std::uint32_t x = 0; x < kSide; ++x) {
+        const std::size_t from = 4 * (x * std::size_t{kSide} + kSide - 1 - y);
+        std::copy_n(&onItsSide.radiance[from], 4, &turned.radiance[4 * (y * std::size_t{kSide} + x)]);
       }
     }
-    expectEqual(means[1], means[0], name);
+    expectEqual(farRadiance(turned), farRadiance(upright), name);
   }
+}
+
+// What the sheet is too coarse to hide is hidden in shading.
+TEST_F(OceanEnergyTest, IsTheSameOnAnySheet) {
+  for (const char* name : kLights) expectEqual(onSheetOf(24, name), onSheetOf(3, name), name);
+}
+
+// As much of it as the waves are higher there.
+TEST_F(OceanEnergyTest, IsTheSameOnAnySheetWhereGainsVary) {
+  pelagic::GainMap gusts;
+  gusts.origin = {-4000, -4000};
+  gusts.spacing = 150;
+  gusts.width = gusts.height = 54;
+  gusts.bands = 1;
+  for (std::uint32_t i = 0; i < gusts.width * gusts.height; ++i) {
+    gusts.gains.push_back((i / gusts.width + i % gusts.width) % 2 == 0 ? 1.9f : 0.9f);
+  }
+  expectEqual(onSheetOf(24, "trade-wind", gusts), onSheetOf(3, "trade-wind", gusts), "gusts");
 }
 
 }  // namespace

@@ -18,12 +18,13 @@ double Drawn::distanceAt(std::uint32_t x, std::uint32_t y) const {
 }
 
 OceanScene::OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge,
-                       const std::function<void(common::Scene&)>& change)
+                       const std::function<void(common::Scene&)>& change, const pelagic::GainMap& gain)
     : gpu_(&gpu) {
   common::loadScene("--scene", name, scene_);
   if (change) change(scene_);
   pelagic::OceanInfo info = common::oceanInfo(scene_);
   info.surface.targetEdge = targetEdge;
+  info.waves.gain = gain;
   ocean_.emplace(pelagic::Ocean::create(device, info).value());
 }
 
@@ -47,10 +48,12 @@ void OceanScene::setTime(double seconds) {
   gpu_->run([&](vk::CommandBuffer commands) { ocean_->record(commands, seconds); });
 }
 
-Drawn OceanScene::draw(std::size_t view, const common::View& from) {
+Drawn OceanScene::draw(std::size_t view, const common::View& from, double roll) {
   Target& target = targets_[view];
   const vk::Extent2D extent = target.radiance.extent;
-  const pelagic::Camera camera = common::cameraOf(from, static_cast<double>(extent.width) / extent.height);
+  pelagic::Camera camera = common::cameraOf(from, static_cast<double>(extent.width) / extent.height);
+  const auto c = static_cast<float>(std::cos(roll)), s = static_cast<float>(std::sin(roll));
+  camera.rotation = glm::mat3(c, -s, 0, s, c, 0, 0, 0, 1) * camera.rotation;
   gpu_->run([&](vk::CommandBuffer commands) { target.view.record(commands, camera); });
   const auto read = [&](const common::OwnedImage& image) {
     return common::readFloats(*gpu_, *image.image, image.format, image.extent, common::kTransferSource);

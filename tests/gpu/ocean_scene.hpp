@@ -29,13 +29,13 @@ class OceanScene {
  public:
   /// `targetEdge`: of the sheet [px]; `change`: of the scene.
   OceanScene(const common::GpuDevice& gpu, pelagic::Device& device, const std::string& name, float targetEdge = 12,
-             const std::function<void(common::Scene&)>& change = {});
+             const std::function<void(common::Scene&)>& change = {}, const pelagic::GainMap& gain = {});
 
   /// Of a size that is drawn from now on.
   std::size_t addView(VkExtent2D extent);
   void setTime(double seconds);
-  /// The scene as of the last setTime().
-  Drawn draw(std::size_t view, const common::View& from);
+  /// The scene as of the last setTime(), the camera rolled by `roll` [rad], to the left where it is positive.
+  Drawn draw(std::size_t view, const common::View& from, double roll = 0);
   const common::Scene& scene() const { return scene_; }
   const pelagic::Ocean& ocean() const { return *ocean_; }
 

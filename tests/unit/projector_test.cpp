@@ -216,6 +216,7 @@ TEST(Projector, EndsWhereTheHighestCrestSinksBelowTheHorizon) {
 
 TEST(Projector, KeepsToTheLimits) {
   const GridLimits limits{400, 2000};
+  int enlarged = 0;
   for (const double fov : {2.0, 20.0, 60.0, 120.0}) {
     for (const double deviation : {0.0, 0.4, 2.0, 5.0}) {
       for (const double height : {-1.0, 0.3, 3.0, 500.0}) {
@@ -224,10 +225,16 @@ TEST(Projector, KeepsToTheLimits) {
         EXPECT_LE(laid.grid.columnBlocks * laid.grid.rowBlocks, limits.blocks);
         EXPECT_LT(laid.lastRow(), limits.rows);
         EXPECT_GT(laid.grid.columnBlocks, 0u);
+        // Middle columns at the distance W are `edge` pixels apart.
+        const double pixels = kExtent.height / (2 * std::tan(fov * kDegree / 2));
+        EXPECT_NEAR(laid.grid.edge, laid.grid.columnStep * pixels, 1e-3 * laid.grid.edge);
+        EXPECT_GE(laid.grid.edge, 8);
+        enlarged += laid.grid.edge > 8;
         for (std::uint32_t row = 1; row <= laid.lastRow(); ++row) ASSERT_GT(laid.rows[row].x, laid.rows[row - 1].x);
       }
     }
   }
+  EXPECT_GT(enlarged, 0);
 }
 
 TEST(Projector, SkyAloneHasNoGrid) {
