@@ -39,7 +39,7 @@ CloudPass cloudPassOf(const SkyState& state, const glm::vec3& light) noexcept {
   return pass;
 }
 
-Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat) {
+Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat, vk::Sampler everywhere) {
   const auto sampled = vk::DescriptorType::eCombinedImageSampler, storage = vk::DescriptorType::eStorageImage;
   const auto half = vk::Format::eR16Sfloat;
   Clouds result;
@@ -54,18 +54,20 @@ Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat) {
   result.shadow = std::move(shadow);
 
   PELAGIC_TRY(shapeStep,
-              createStep(context, "cloud shape", shaders::sky_cloud_shape_comp, {storage}, sizeof(CloudPass)));
+              createStep(context, "cloud shape", shaders::sky_cloud_shape_comp, {storage, sampled}, sizeof(CloudPass)));
   shapeStep.set.storageImage(0, result.field_.mipView(0));
+  shapeStep.set.sampled(1, result.detail.view(), everywhere);
   PELAGIC_TRY(detailStep, createStep(context, "cloud detail", shaders::sky_cloud_detail_comp, {storage}, 0));
   detailStep.set.storageImage(0, result.detail.mipView(0));
   PELAGIC_TRY(lightStep,
               createStep(context, "cloud light", shaders::sky_cloud_light_comp, {sampled, storage}, sizeof(CloudPass)));
   lightStep.set.sampled(0, result.field_.view(), repeat);
   lightStep.set.storageImage(1, result.volume.mipView(0));
-  PELAGIC_TRY(shadowStep, createStep(context, "cloud shadow", shaders::sky_cloud_shadow_comp, {sampled, storage},
-                                     sizeof(CloudPass)));
+  PELAGIC_TRY(shadowStep, createStep(context, "cloud shadow", shaders::sky_cloud_shadow_comp,
+                                     {sampled, storage, sampled}, sizeof(CloudPass)));
   shadowStep.set.sampled(0, result.field_.view(), repeat);
   shadowStep.set.storageImage(1, result.shadow.mipView(0));
+  shadowStep.set.sampled(2, result.detail.view(), everywhere);
   result.shapeStep_ = std::move(shapeStep);
   result.detailStep_ = std::move(detailStep);
   result.lightStep_ = std::move(lightStep);
@@ -79,16 +81,16 @@ Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat) {
 void Clouds::recordShape(gpu::Context& context, vk::CommandBuffer commands, const CloudPass& push) noexcept {
   gpu::Barrier barrier;
   barrier.image(field_, gpu::kComputeStorageWrite, true);
-  if (!detailed_) barrier.image(detail, gpu::kComputeStorageWrite, true);
-  barrier.record(context, commands);
-  shapeStep_.run(commands, push, kGroups, kGroups, shader::kCloudLayers);
   if (!detailed_) {
+    barrier.image(detail, gpu::kComputeStorageWrite, true).record(context, commands);
     detailStep_.pass.bind(commands, detailStep_.set);
     constexpr std::uint32_t kDetailGroups = shader::kCloudDetail / shader::kSkyTile;
     detailStep_.pass.dispatch(commands, kDetailGroups, kDetailGroups, shader::kCloudDetail);
     barrier.image(detail, kShaderRead);
     detailed_ = true;
   }
+  barrier.record(context, commands);
+  shapeStep_.run(commands, push, kGroups, kGroups, shader::kCloudLayers);
   barrier.image(field_, gpu::kComputeSampled).record(context, commands);
 }
 

@@ -10,7 +10,7 @@ namespace pelagic::sky {
 
 class Clouds {
  public:
-  static Result<Clouds> create(gpu::Context& context, vk::Sampler repeat);
+  static Result<Clouds> create(gpu::Context& context, vk::Sampler repeat, vk::Sampler everywhere);
   /// `shape`: the layer changed; else only the sun that lights it.
   void record(gpu::Context& context, vk::CommandBuffer commands, const shader::CloudPass& push, bool shape) noexcept;
   /// No clouds, no shadow.

@@ -147,7 +147,7 @@ Result<void> Sky::Impl::createSteps() {
   radianceStep.set.sampled(3, moonlit.view(), *clamped);
   PELAGIC_TRY(filtered, sky::Environment::create(*context, radiance, *turning, *clamped, nullptr));
   environment = std::move(filtered);
-  PELAGIC_TRY(layer, sky::Clouds::create(*context, *repeat));
+  PELAGIC_TRY(layer, sky::Clouds::create(*context, *repeat, *repeatEverywhere));
   clouds = std::move(layer);
   PELAGIC_TRY(picture, sky::HostPicture::create(*context, hostSky));
   hostPicture = std::move(picture);

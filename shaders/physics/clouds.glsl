@@ -50,8 +50,22 @@ PELAGIC_FORMULA vec2 cloudSpan(float h, float mu, float base, float top) {
   return span;
 }
 
+// The field where bubbles, of which `hole` 0 ... 1 tells how far the nearest is, tear the clouds' edges.
+PELAGIC_FORMULA_CONSTANT float kMeanHole = 0.524f;   // of random points in cubic cells, 1.1 % apart in its three sizes
+PELAGIC_FORMULA_CONSTANT float kLeastHole = 0.1f;    // of which hardly one is less
+PELAGIC_FORMULA float tornField(float field, float hole) { return field - 1.1f * (hole - 0.45f); }
+
 // Share of the densest cloud's extinction from the volume's field, whose 0 is the cloud's edge.
 PELAGIC_FORMULA float cloudDensity(float field) { return clamp(2.0f * field, 0.0f, 1.0f); }
+
+// Its mean on a way along which the field runs evenly from a to b. Samples alone would show where they lie: as slices of the
+// clouds' edges, which are thinner than a step.
+PELAGIC_FORMULA float cloudDensityBetween(float a, float b) {
+  // The integral of cloudDensity from 0.
+  float low = cloudDensity(a), high = cloudDensity(b);
+  float upTo = 0.25f * high * high + max(b - 0.5f, 0.0f), from = 0.25f * low * low + max(a - 0.5f, 0.0f);
+  return abs(b - a) > 1e-3f ? (upTo - from) / (b - a) : 0.5f * (low + high);
+}
 
 // Light toward the eye per irradiance of a sun whose light comes with the transmittance q^4 [1/sr], mu the cosine of the angle
 // between the directions of travel. Drops scatter forward (mean cosine 0.85); what is scattered again is taken as the same

@@ -5,8 +5,9 @@
 #include "shared/sky_pass.h"
 
 struct CloudsSeen {
-  vec3 light;           // of the clouds and of the air before them
+  vec3 light;           // of the clouds
   float transmittance;  // of what is behind
+  float distance;       // mean, of what is seen of them [m]
 };
 
 // Light of the surroundings within the layer, `height` from base 0 to top 1: the sky above, below the sea and the air over it,
@@ -17,46 +18,59 @@ vec3 cloudAmbient(float height) {
   return (sky * mix(0.35, 1.0, height) + sea * mix(1.0, 0.35, height)) * (0.5 / kAirPi);
 }
 
-// `d`: unit, `place`: of the eye in the tile, `air`: what the air adds per what it takes in the direction, `finest`: step
-// where there are clouds [m], `pixel`: angular size [rad], `steps`: at most. The field tells how far off the next cloud is at
-// least: it changes by 1 in 150 m along the layer; across it, no step passes more than an eighth of it.
+// `d`: unit, `place`: of the eye in the tile, `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
+// most. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
+// passes more than an eighth of it.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
-                       vec3 air, float finest, float pixel, int steps) {
-  const float kFieldScale = 150.0, kFarther = 0.02, kTorn = 1.1;
-  const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0, kMeanHole = 0.5;
+                       float finest, float pixel, int steps) {
+  const float kFieldScale = 150.0, kFarther = 0.02;
+  const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0;
   vec2 span = cloudSpan(altitude, d.y, base, top);
   float most = 0.125 * (top - base) / max(abs(d.y), 0.02);
-  float mu = dot(d, light.sunDirection.xyz);
-  vec3 seen = vec3(0);
-  float through = 1.0, distance = 0.0;
   // A thin layer has a few steps at least.
   float coarsest = 0.25 * (span.y - span.x);
-  float t = span.x + 0.5 * min(max(finest, kFarther * span.x), coarsest);
+  float mu = dot(d, light.sunDirection.xyz);
+  CloudsSeen seen = CloudsSeen(vec3(0), 1.0, 0.0);
+  vec2 cloud = vec2(0, 1);
+  float t = span.x, step = 0.0, next = 0.0, field = 0.0;
   int i = 0;
-  do {
-    float h = altitudeAlong(altitude, d.y, t);
-    vec3 at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
-    vec2 cloud = textureLod(volume, at, 0).rg;
-    float holes = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
-    // Far off, steps grow with the distance, and bubbles smaller than they or than a pixel are left out.
-    float least = min(max(finest, kFarther * t), coarsest);
-    float step = min(clamp(-kFieldScale * cloud.r, least, max(least, most)), max(span.y - t, 0.5 * least));
+  while (i < steps && t < span.y && seen.transmittance > 0.01) {
+    vec3 at;
+    float h, least, before, lit;
+    // On to where there may be clouds, torn or not.
+    do {
+      before = field;
+      lit = cloud.g;
+      step = next;
+      t += step;
+      h = altitudeAlong(altitude, d.y, t);
+      at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
+      cloud = textureLod(volume, at, 0).rg;
+      least = min(max(finest, kFarther * t), coarsest);  // far off, steps grow with the distance
+      next = min(clamp(-kFieldScale * cloud.r, least, max(least, most)), span.y - t);
+      field = tornField(cloud.r, kLeastHole);
+    } while (++i < steps && field < 0.0 && t < span.y);
+    // Bubbles smaller than steps or than a pixel are left out.
+    float hole = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
     float kept = clamp(1.5 - max(t * pixel / kSmallestBubble, least / kLargestBubble), 0.0, 1.0);
-    float density = t < span.y ? cloudDensity(cloud.r - kTorn * (mix(kMeanHole, holes, kept) - 0.3)) : 0.0;
-    float taken = 1.0 - exp(-kCloudExtinction * density * step);
-    vec3 source = light.cloudSun.rgb * cloudScattering(mu, cloud.g) + cloudAmbient(clamp(at.z, 0.0, 1.0));
-    seen += through * taken * source;
-    distance += through * taken * t;
-    through *= 1.0 - taken;
-    t += step;
-  } while (++i < steps && t < span.y && through > 0.01);
-  float cover = 1.0 - through;
-  float away = distance / max(cover, 1e-4);
+    field = tornField(cloud.r, mix(kMeanHole, hole, kept));
+    float taken = seen.transmittance * (1.0 - exp(-kCloudExtinction * cloudDensityBetween(before, field) * step));
+    vec3 source = light.cloudSun.rgb * cloudScattering(mu, 0.5 * (lit + cloud.g)) + cloudAmbient(clamp(at.z, 0.0, 1.0));
+    seen.light += taken * source;
+    seen.distance += taken * t;
+    seen.transmittance -= taken;
+  }
+  seen.distance /= max(1.0 - seen.transmittance, 1e-4);
+  return seen;
+}
+
+// Through the air before them: `air`, what it adds per what it takes in their direction.
+vec3 cloudsThroughAir(CloudsSeen seen, float altitude, float base, float top, vec3 air) {
   float h = 0.5 * (base + top);
   vec3 extinction = light.rayleighExtinction.rgb * meanDensityBetween(altitude, h, light.rayleighExtinction.w) +
                     light.mieExtinction.rgb * meanDensityBetween(altitude, h, light.mieExtinction.w);
-  vec3 clear = exp(-extinction * away);
-  return CloudsSeen(seen * clear + cover * (1.0 - clear) * air, through);
+  vec3 clear = exp(-extinction * seen.distance);
+  return seen.light * clear + (1.0 - seen.transmittance) * (1.0 - clear) * air;
 }
 
 #endif

@@ -24,6 +24,9 @@ float cellular(vec3 p, uint cells) {
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   vec3 p = (vec3(texel) + 0.5) / float(kCloudDetail);
+  // Stirred, so that no bubble is a ball.
+  const float kTurn = 6.28318531;
+  p += 0.04 * sin(kTurn * (2.0 * p.yzx + p.zxy)) + 0.015 * sin(kTurn * (5.0 * p.zxy - 3.0 * p.yzx));
   float holes = 0.55 * cellular(4.0 * p, 4u) + 0.3 * cellular(8.0 * p, 8u) + 0.15 * cellular(16.0 * p, 16u);
   imageStore(detail, texel, vec4(holes, 0, 0, 0));
 }

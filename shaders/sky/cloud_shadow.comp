@@ -10,6 +10,7 @@ layout(local_size_x = kSkyTile, local_size_y = kSkyTile) in;
 layout(push_constant) uniform Push { CloudPass pass; };
 layout(binding = 0) uniform sampler3D field;
 layout(binding = 1) uniform writeonly image2D shadow;
+layout(binding = 2) uniform sampler3D detail;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -21,7 +22,9 @@ void main() {
   for (int i = 0; i < kSteps; ++i) {
     float height = (float(i) + 0.5) / float(kSteps);
     float t = (pass.base + height * pass.thickness) / climb;
-    depth += cloudDensity(textureLod(field, vec3(p + t * sun.xz / kCloudTile, height), 0).r) * step;
+    vec3 at = vec3(p + t * sun.xz / kCloudTile, height);
+    vec3 torn = vec3(at.xy * kCloudTile, pass.base + height * pass.thickness) / kCloudDetailTile;
+    depth += cloudDensity(tornField(textureLod(field, at, 0).r, textureLod(detail, torn, 0).r)) * step;
   }
   imageStore(shadow, texel, vec4(exp(-kCloudExtinction * depth), 0, 0, 0));
 }

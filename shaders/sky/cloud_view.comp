@@ -24,9 +24,15 @@ void main() {
   // A pixel of the clouds' picture also serves the pixels of the sky that it hangs over the horizon with.
   float pixelSize = length(view.rayY.xyz) / length(view.ray.xyz);
   if (view.ray.w < view.rayX.w && d.y > edge - 2.0 * pixelSize) d = normalize(vec3(d.x, max(d.y, edge + 1e-3), d.z));
-  float row = skyRow(asin(clamp(d.y, -1.0, 1.0)), view.edge);
-  float azimuth = dot(d.xz, d.xz) > 0.0 ? atan(d.z, d.x) : 0.0;  // none straight up and down
-  vec3 air = textureLod(radiance, vec2(azimuth / (2.0 * kAirPi), row), 0).rgb;
-  CloudsSeen seen = cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, air, kFinest, pixelSize, kSteps);
-  imageStore(clouds, ivec2(pixel), vec4(seen.light, seen.transmittance));
+  CloudsSeen seen =
+      cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, kFinest, pixelSize, kSteps);
+  vec3 shown = vec3(0);
+  // Once where there are clouds. A loop, because software devices walk through both sides of a branch.
+  for (float cover = 1.0 - seen.transmittance; cover > 0.0; cover = 0.0) {
+    float row = skyRow(asin(clamp(d.y, -1.0, 1.0)), view.edge);
+    float azimuth = dot(d.xz, d.xz) > 0.0 ? atan(d.z, d.x) : 0.0;  // none straight up and down
+    vec3 air = textureLod(radiance, vec2(azimuth / (2.0 * kAirPi), row), 0).rgb;
+    shown = cloudsThroughAir(seen, view.ray.w, view.rayX.w, view.rayY.w, air);
+  }
+  imageStore(clouds, ivec2(pixel), vec4(shown, seen.transmittance));
 }

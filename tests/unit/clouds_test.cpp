@@ -43,6 +43,20 @@ TEST(Clouds, SpanIsWhereARayWalkedStepByStepIsInTheLayer) {
   }
 }
 
+TEST(Clouds, DensityOnAWayIsTheMeanOfItsSamples) {
+  for (const float a : {-2.f, -0.3f, 0.1f, 0.4f, 0.9f}) {
+    for (const float b : {-1.f, -0.3f, 0.1f, 0.4001f, 0.7f, 3.f}) {
+      double sum = 0;
+      constexpr int kCount = 10000;
+      for (int i = 0; i < kCount; ++i) {
+        const float part = (static_cast<float>(i) + 0.5f) / kCount;
+        sum += static_cast<double>(physics::cloudDensity(a + (b - a) * part)) / kCount;
+      }
+      EXPECT_NEAR(static_cast<double>(physics::cloudDensityBetween(a, b)), sum, 1e-3) << a << ' ' << b;
+    }
+  }
+}
+
 TEST(Clouds, EachOrderOfScatteringCarriesItsShare) {
   const auto whole = [](double q) {
     double sum = 0;
