@@ -49,9 +49,10 @@ enum class Stage : std::uint32_t { waves, sky, surface, composite, count };
 /// Bytes of device memory that each stage holds now, indexed by Stage.
 using MemoryUsage = std::array<std::uint64_t, static_cast<std::size_t>(Stage::count)>;
 
-/// What every stage is created from. Must outlive them. Keeps their compute pipelines, so that whatever is created
-/// later with the same ones compiles none. Move-only; `create` and the members are not synchronised
-/// against each other: one thread at a time per Device.
+/// What every stage is created from. Must outlive them. Keeps their compute pipelines until it goes, so that whatever
+/// is created later with the same ones compiles none; another planet's radius is another set. Move-only; `create`, the
+/// members, and whatever creates a stage or a view from it or sets lights, are not synchronised against each other:
+/// one thread at a time per Device.
 class Device {
  public:
   /// Loads entry points and checks features, limits and formats.

@@ -64,8 +64,7 @@ struct Passes {
 
 struct Composite::Impl {
   gpu::Context* context = nullptr;
-  gpu::Unique<vk::Sampler> repeat;  ///< Wave maps.
-  gpu::Unique<vk::Sampler> wrap;    ///< The clouds' shadow.
+  gpu::Unique<vk::Sampler> repeat;  ///< Wave maps and the clouds' shadow.
   gpu::Unique<vk::Sampler> azimuth;
   gpu::Unique<vk::Sampler> clamp;
   gpu::Unique<vk::Sampler> nearest;
@@ -122,9 +121,7 @@ Result<Composite> Composite::create(Device& device) {
   PELAGIC_TRY(clamp, sampler("composite clamp", {.u = edge, .v = edge}));
   PELAGIC_TRY(nearest,
               sampler("composite nearest", {vk::Filter::eNearest, vk::SamplerMipmapMode::eNearest, edge, edge}));
-  PELAGIC_TRY(wrap, sampler("composite wrap", {}));
   impl->repeat = std::move(repeat);
-  impl->wrap = std::move(wrap);
   impl->azimuth = std::move(azimuth);
   impl->clamp = std::move(clamp);
   impl->nearest = std::move(nearest);
@@ -222,7 +219,7 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   set.buffer(17, shared.fresnel.handle());
   set.sampled(18, waves.gain.view ? waves.gain.view : waves.gradient.view, *shared.nearest);
   set.sampled(21, sky.clouds.view ? sky.clouds.view : sky.radiance.view, *shared.clamp);
-  set.sampled(22, sky.cloudShadow.view ? sky.cloudShadow.view : sky.radiance.view, *shared.wrap);
+  set.sampled(22, sky.cloudShadow.view ? sky.cloudShadow.view : sky.radiance.view, *shared.repeat);
   set.storageImage(19, shaded.mipView(0));
   set.buffer(20, edges.handle());
   resolveSet.sampled(0, shaded.view(), *shared.nearest);

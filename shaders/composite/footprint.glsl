@@ -34,8 +34,9 @@ vec3 resolvedCovariance(float footprint) {
 // seen at the sine `height`.
 vec3 withoutRelief(float side, float across, float height) {
   float waves = clamp(1.0 - across / max(frame.waves.unresolved.w, 1e-6), 0.0, 1.0);
-  // Linear between points `cell` apart, the sheet shows what the maps do at 3/4 of that: (2 + cos kc)/3 of a wave's power is
-  // theirs at f = 0.82 c for long waves, which maps smooth within their texels besides, and at 0.70 c for kc = pi.
+  // Linear between points `cell` apart, the sheet shows more of a wave than maps smoothed over that length: of its slopes as
+  // much as they do over 0.58 of it, of its heights, which hide, as over 0.82. What lies between is fitted to the far sea's
+  // energy (ocean_energy_test).
   float cell = 0.75 * frame.sheet.x * across / rowsPerWidth(height, waves);
   return resolvedCovariance(side) - resolvedCovariance(max(cell, side));
 }

@@ -24,8 +24,9 @@ float shareOverHorizon(float up, float distance, float extent, float height) {
   return clamp(0.5 + 0.5 * (up + dip) / max(extent, 1e-7), 0.0, 1.0);
 }
 
-// `place`: from the eye [m], of a point that is `p` away in the plane. Foam lies on the normal `still` of the sea itself. Loops test at their end: there is one light at least.
-HostLit hostLit(SeaPoint sea, vec3 still, vec3 v, vec3 place, vec2 p) {
+// `place`: from the eye [m], of a point that is `p` away in the plane. Foam has the normal `top`. Loops test at their end: there
+// is one light at least.
+HostLit hostLit(SeaPoint sea, vec3 top, vec3 v, vec3 place, vec2 p) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
   HostLit lit = kNoHostLight;
   float height = heightOverSea(place);
@@ -54,7 +55,7 @@ HostLit hostLit(SeaPoint sea, vec3 still, vec3 v, vec3 place, vec2 p) {
     from.l = area / max(size, 1e-9);  // the middle of what is seen of it; none: it shines away
     lit.mirrored += mirroredLight(sea, seen, v, from, true);
     lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));
-    lit.foam += from.irradiance * max(dot(still, from.l), 0.0);
+    lit.foam += from.irradiance * max(dot(top, from.l), 0.0);
   } while (++i < frame.hostLights);
   return lit;
 }

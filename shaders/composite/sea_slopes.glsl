@@ -58,6 +58,7 @@ float interpolationLoss(uint cascade, float mip) {
 SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming) {
   vec4 gradient = vec4(0);     // dh/dx, dh/dz, dDx/dx, dDz/dz
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
+  vec3 all = frame.slopes.xyz;  // of the whole sea, where gains are 1
   float foamFree = 1.0;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
   vec2 q = p + waveWarp(frame.waves.warp, p);
@@ -89,12 +90,14 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     // Precise: the same with kGain and without.
     precise vec3 left = variance * (power * m.xyz + lost * frame.waves.slopeCovariance[c].xyz);
     moments += gain * vec4(gain * left, shown * m.w);
+    if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   } while (++c < cascades);
   float variance = shortWaveVariance(-(gradient.z + gradient.w));
   for (; c < frame.waves.cascades; ++c) {
     float gain = gainAt(p, c);
     precise vec3 left = variance * frame.waves.slopeCovariance[c].xyz;
     moments.xyz += gain * gain * left;
+    if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   }
   if (kFoaming) {
     do {
@@ -120,7 +123,8 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   float shortest = gainAt(p, frame.waves.cascades - 1u);
   precise vec3 tail = variance * frame.waves.unresolved.xyz;
   sea.residual = moments.xyz + shortest * shortest * tail;
-  sea.all = vec4(shortest * shortest * frame.slopes.xyz, frame.slopes.w);
+  if (kGain) all += (shortest * shortest - 1.0) * frame.waves.unresolved.xyz;
+  sea.all = vec4(all, frame.slopes.w);
   sea.compression = -(gradient.z + gradient.w);
   sea.foam = 1.0 - foamFree;
   return sea;

@@ -73,15 +73,20 @@ void main() {
   sea.slope = facingSlope(sea.slope, v, slant, unseen);
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   vec3 sun = light.sunIrradiance.rgb * sunThroughClouds(p, side);
+  // Foam lies on the sea itself, with a relief of its own.
+  vec3 top = normal.xyz;
+  Foam foam;
+  if (kFoaming) {
+    foam = foamAt(sea.foam, p, across, max(along, across) * away);
+    top = normalize(top - vec3(away.x, 0, away.y) * foam.rise);
+    normal.w = foam.cover;
+  }
   HostLit lit = kNoHostLight;
-  if (kHostLights) lit = hostLit(sea, normal.xyz, v, ray * axial, p);
+  if (kHostLights) lit = hostLit(sea, top, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
-    Foam foam = foamAt(sea.foam, p, across, max(along, across) * away);
-    vec3 top = normalize(normal.xyz - vec3(away.x, 0, away.y) * foam.rise);
     vec3 foamLight = sun * max(dot(top, l), 0.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * top.y) + lit.foam;
     radiance = mix(radiance, foamLight * (kFoamAlbedo / kPi), foam.cover * foam.opacity);
-    normal.w = foam.cover;
   }
   radiance = throughAir(radiance, place, axial * rayLength, 0.0);
   if (kVeiled) {

@@ -108,7 +108,7 @@ struct Reference {
 class OceanReferenceTest : public support::GpuTest {};
 
 // Of what has no foam, under the scenes' skies without clouds. Waves are those of the maps, down to the finest; the
-// facets of what none of them holds are random. Off by 7 % at most, 4 % in the mean.
+// facets of what none of them holds are random. Off by 7 % at most.
 TEST_F(OceanReferenceTest, ThirdsOfTheSeaAreAsBrightAsTracedRays) {
   constexpr VkExtent2D kExtent{480, 270};
   constexpr std::uint32_t kStride = 7;

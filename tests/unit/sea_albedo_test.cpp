@@ -62,7 +62,7 @@ double skyAlbedo(const vec3& v, const vec3& c) {
 }
 
 // The facets' mean reflectance is off by some per cent in rough seas, whose slopes across the view are not those along
-// it, and too little at the horizon; what of it is sky is within 2 %.
+// it, and too little at the horizon.
 TEST(SeaAlbedo, OfAnEvenSkyIsThatOfTracedRaysAndAtMostOne) {
   SeaLighting even;
   even.sky = [](const glm::dvec3&) { return glm::dvec3(1); };
