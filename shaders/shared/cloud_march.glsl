@@ -32,12 +32,12 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
   float mu = dot(d, light.sunDirection.xyz);
   CloudsSeen seen = CloudsSeen(vec3(0), 1.0, 0.0);
   vec2 cloud = vec2(0, 1);
-  float t = span.x, step = 0.0, next = 0.0, field = 0.0;
+  float t = span.x, step = 0.0, next = 0.0, field = -1.0;
   int i = 0;
   while (i < steps && t < span.y && seen.transmittance > 0.01) {
     vec3 at;
     float h, least, before, lit;
-    // On to where there may be clouds, torn or not.
+    // On to where there may be clouds, torn or not, on the way from the last sample.
     do {
       before = field;
       lit = cloud.g;
@@ -47,17 +47,19 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
       at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
       cloud = textureLod(volume, at, 0).rg;
       least = min(max(finest, kFarther * t), coarsest);  // far off, steps grow with the distance
-      next = min(clamp(-kFieldScale * cloud.r, least, max(least, most)), span.y - t);
       field = tornField(cloud.r, kLeastHole);
-    } while (++i < steps && field < 0.0 && t < span.y);
+      next = min(clamp(-kFieldScale * field, least, max(least, most)), span.y - t);
+    } while (++i < steps && max(before, field) < 0.0 && t < span.y);
     // Bubbles smaller than steps or than a pixel are left out.
     float hole = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
     float kept = clamp(1.5 - max(t * pixel / kSmallestBubble, least / kLargestBubble), 0.0, 1.0);
     field = tornField(cloud.r, mix(kMeanHole, hole, kept));
     float taken = seen.transmittance * (1.0 - exp(-kCloudExtinction * cloudDensityBetween(before, field) * step));
-    vec3 source = light.cloudSun.rgb * cloudScattering(mu, 0.5 * (lit + cloud.g)) + cloudAmbient(clamp(at.z, 0.0, 1.0));
+    float halfway = 0.5 * step;
+    float middle = clamp(at.z - halfway * d.y / (top - base), 0.0, 1.0);
+    vec3 source = light.cloudSun.rgb * cloudScattering(mu, 0.5 * (lit + cloud.g)) + cloudAmbient(middle);
     seen.light += taken * source;
-    seen.distance += taken * t;
+    seen.distance += taken * (t - halfway);
     seen.transmittance -= taken;
   }
   seen.distance /= max(1.0 - seen.transmittance, 1e-4);
