@@ -103,7 +103,7 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInASlowPan) {
     return views;
   };
   for (const char* name : kScenes) {
-    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.15) << name;
+    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.18) << name;
   }
 }
 
@@ -120,7 +120,7 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInAZoom) {
   };
   for (const char* name : kScenes) {
     // The last frame's 4.5 degrees are pixels 82 to 98 of the first; the horizon is at 81.6.
-    EXPECT_LT(farOverNear(name, zoom, {{146, 84}, {174, 89}, 1}, {{146, 92}, {174, 97}, 1}), 0.34) << name;
+    EXPECT_LT(farOverNear(name, zoom, {{146, 84}, {174, 89}, 1}, {{146, 92}, {174, 97}, 1}), 0.37) << name;
   }
 }
 

@@ -28,14 +28,14 @@ std::vector<glm::dvec2> turns(int mode, std::uint32_t size, double phase) {
 
 }  // namespace
 
-FacetedSea::FacetedSea(std::uint32_t size, double along, double across, std::uint32_t seed)
+FacetedSea::FacetedSea(std::uint32_t size, double along, double across, std::uint32_t seed, double longest)
     : size_(size), heights_(std::size_t{size} * size, 0.0) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
   // Equal slopes each; directions by 1 + delta cos 2 theta, whose mean cos^2 is (1 + delta/2)/2.
   const double delta = 2 * (along - across) / (along + across);
   const double slope = std::sqrt(2 * (along + across) / kWaves);
-  for (int wave = 0; wave < kWaves; ++wave) {
+  for (int wave = 0; wave < std::lround(longest * kWaves); ++wave) {
     const double k = kLongest * std::pow(size / (kShortest * kLongest), (wave + unit(random)) / kWaves);
     double theta = kTwoPi * unit(random);
     while (unit(random) * (1 + std::abs(delta)) > 1 + delta * std::cos(2 * theta)) theta = kTwoPi * unit(random);
@@ -63,6 +63,11 @@ glm::dvec3 FacetedSea::slopeCovariance() const {
     }
   }
   return sum / (2.0 * size_ * size_);
+}
+
+glm::dvec2 FacetedSea::slope(double x, double z) const {
+  const auto i = static_cast<std::int64_t>(std::floor(x)), j = static_cast<std::int64_t>(std::floor(z));
+  return {height(i + 1, j) - height(i, j), height(i, j + 1) - height(i, j)};
 }
 
 bool FacetedSea::intersectCell(std::int64_t i, std::int64_t j, const glm::dvec3& origin, const glm::dvec3& direction,
@@ -120,9 +125,7 @@ bool FacetedSea::intersect(const glm::dvec3& origin, const glm::dvec3& direction
   return false;
 }
 
-namespace {
-
-SeaRadiance trace(const FacetedSea& sea, const SeaLighting& lighting, glm::dvec3 origin, glm::dvec3 direction) {
+SeaRadiance traceRay(const FacetedSea& sea, const SeaLighting& lighting, glm::dvec3 origin, glm::dvec3 direction) {
   SeaRadiance result;
   double weight = 1;
   FacetedSea::Hit hit;
@@ -144,15 +147,26 @@ SeaRadiance trace(const FacetedSea& sea, const SeaLighting& lighting, glm::dvec3
   return result;
 }
 
+namespace {
+
+/// Over the whole lattice: Roberts' (2018) sequence in two dimensions.
+glm::dvec3 placeOver(const FacetedSea& sea, std::uint32_t i) {
+  return {std::fmod(0.5 + i * 0.7548776662466927, 1.0) * sea.side(), sea.top(),
+          std::fmod(0.5 + i * 0.5698402909980532, 1.0) * sea.side()};
+}
+
 }  // namespace
+
+FacetedSea::Hit facetSeen(const FacetedSea& sea, const glm::dvec3& v, std::uint32_t i) {
+  FacetedSea::Hit hit{};
+  sea.intersect(placeOver(sea, i), -v, hit);
+  return hit;
+}
 
 SeaRadiance traceSea(const FacetedSea& sea, const SeaLighting& lighting, const glm::dvec3& v, std::uint32_t rays) {
   SeaRadiance mean;
   for (std::uint32_t i = 0; i < rays; ++i) {
-    // Even over the lattice: Roberts' (2018) sequence in two dimensions.
-    const double x = std::fmod(0.5 + i * 0.7548776662466927, 1.0) * sea.side();
-    const double z = std::fmod(0.5 + i * 0.5698402909980532, 1.0) * sea.side();
-    const SeaRadiance one = trace(sea, lighting, {x, sea.top(), z}, -v);
+    const SeaRadiance one = traceRay(sea, lighting, placeOver(sea, i), -v);
     mean.sky += one.sky / static_cast<double>(rays);
     mean.sun += one.sun / static_cast<double>(rays);
     mean.water += one.water / static_cast<double>(rays);

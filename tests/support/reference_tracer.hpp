@@ -12,11 +12,14 @@ namespace support {
 /// is flat over ln k between four waves a side and one of eight cells.
 class FacetedSea {
  public:
-  /// Slopes of the variances `along` and `across` x; the lattice has `size`, a power of two, cells a side.
-  FacetedSea(std::uint32_t size, double along, double across, std::uint32_t seed);
+  /// Slopes of the variances `along` and `across` x; the lattice has `size`, a power of two, cells a side. Of the waves
+  /// the longest that make up the part `longest` of the slopes' variance.
+  FacetedSea(std::uint32_t size, double along, double across, std::uint32_t seed, double longest = 1);
 
   /// First two moments of the facets' slopes: mean squares along x and z, and mean product [1].
   glm::dvec3 slopeCovariance() const;
+  /// Of the facets about a place.
+  glm::dvec2 slope(double x, double z) const;
   double top() const { return top_; }
   double side() const { return size_; }
 
@@ -40,6 +43,9 @@ class FacetedSea {
   double top_ = 0;
 };
 
+/// From an even place of number `i` over the lattice, toward -v: the first facet that a view along v shows.
+FacetedSea::Hit facetSeen(const FacetedSea& sea, const glm::dvec3& v, std::uint32_t i);
+
 /// What falls on the sea and what comes out of the water.
 struct SeaLighting {
   std::function<glm::dvec3(const glm::dvec3& direction)> sky;  ///< Radiance from above the horizon.
@@ -55,8 +61,11 @@ struct SeaRadiance {
   glm::dvec3 sum() const { return sky + sun + water; }
 };
 
-/// Toward the unit vector v, the mean over `rays` places: every facet reflects by Fresnel's law of unpolarised light
+/// What a ray from `origin` along `direction` brings back: every facet reflects by Fresnel's law of unpolarised light
 /// and lets the rest of the water's light through; what it mirrors may be sea again.
+SeaRadiance traceRay(const FacetedSea& sea, const SeaLighting& lighting, glm::dvec3 origin, glm::dvec3 direction);
+
+/// Toward the unit vector v, the mean over `rays` places.
 SeaRadiance traceSea(const FacetedSea& sea, const SeaLighting& lighting, const glm::dvec3& v, std::uint32_t rays);
 
 }  // namespace support

@@ -33,9 +33,13 @@ struct Sea {
   explicit Sea(double wind) {
     constexpr std::uint32_t kCount = 4;
     for (std::uint32_t seed = 1; seed <= kCount; ++seed) {
-      seas.emplace_back(1024, 0.00316 * wind, 0.003 + 0.00192 * wind, seed);
+      seas.push_back(one(wind, seed));
       covariance += vec3(seas.back().slopeCovariance()) / static_cast<float>(kCount);
     }
+  }
+  /// Its longest waves, with the part `longest` of the slopes' variance.
+  static FacetedSea one(double wind, std::uint32_t seed, double longest = 1) {
+    return {1024, 0.00316 * wind, 0.003 + 0.00192 * wind, seed, longest};
   }
   /// Mean radiance of what is mirrored.
   double traced(const SeaLighting& light, const glm::dvec3& v) const {
@@ -48,18 +52,23 @@ struct Sea {
   }
 };
 
-/// What a sea over black water sends toward v of an even sky of radiance 1, as sea_light.glsl adds it up.
-double skyAlbedo(const vec3& v, const vec3& c) {
-  const Visibility seen = visibility(v, vec2(0), c);
+/// What a place over black water sends toward v of an even sky of radiance 1, as sea_light.glsl adds it up: a place
+/// with the slope `mean` and the covariance c about it, of a sea whose slopes have the covariance `all`.
+double skyAlbedo(const vec3& v, const vec2& mean, const vec3& c, const vec3& all) {
+  const Visibility seen = visibility(v, mean, c);
   const double sine = std::max(std::hypot(static_cast<double>(v.x), static_cast<double>(v.z)), 1e-3);
+  const vec3 normal = glm::normalize(vec3(-mean.x, 1, -mean.y));
   const ReflectingFacets facets =
-      reflectingFacets(static_cast<double>(v.y), static_cast<double>(seen.deviation) / sine);
+      reflectingFacets(std::max(static_cast<double>(glm::dot(v, normal)), 0.0),
+                       static_cast<double>(seen.deviation) / sine * static_cast<double>(normal.y));
   const SeenSlopes mirrors =
       seenSlopes(seen, v, c, static_cast<float>(facets.facing), static_cast<float>(facets.variance));
-  const double again = reflectingFacets(0, std::sqrt(0.5 * static_cast<double>(c.x + c.y))).reflectance;
-  const float share = shareOfSky(mirrors.shift, mirrors.covariance, v, glm::vec4(c, again));
+  const double again = reflectingFacets(0, std::sqrt(0.5 * static_cast<double>(all.x + all.y))).reflectance;
+  const float share = shareOfSky(mean + mirrors.shift, mirrors.covariance, v, glm::vec4(all, again));
   return facets.reflectance * static_cast<double>(share);
 }
+/// Of a sea no wave of which is resolved.
+double skyAlbedo(const vec3& v, const vec3& c) { return skyAlbedo(v, vec2(0), c, c); }
 
 // The facets' mean reflectance is off by some per cent in rough seas, whose slopes across the view are not those along
 // it, and too little at the horizon.
@@ -79,6 +88,47 @@ TEST(SeaAlbedo, OfAnEvenSkyIsThatOfTracedRaysAndAtMostOne) {
         EXPECT_LE(albedo, 1);
         const double tolerance = zenith > 85 ? limit.atHorizon : limit.tolerance;
         EXPECT_NEAR(albedo / expected, 1, tolerance) << limit.wind << " m/s " << azimuth << ' ' << zenith;
+      }
+    }
+  }
+}
+
+// Where pixels know how the longer waves lie: a half or four fifths of the slopes' variance. Their backs, which rise
+// toward the viewer, are as bright as traced rays have them, and so are their faces.
+TEST(SeaAlbedo, OfBacksAndFacesOfWavesIsThatOfTracedRays) {
+  constexpr std::uint32_t kSeas = 2, kRays = 12000;
+  SeaLighting even;
+  even.sky = [](const glm::dvec3&) { return glm::dvec3(1); };
+  for (const double wind : {7.0, 14.0}) {
+    const Sea sea(wind);
+    for (const double part : {0.5, 0.8}) {
+      std::vector<FacetedSea> longer;
+      vec3 known(0);
+      for (std::uint32_t seed = 1; seed <= kSeas; ++seed) {
+        longer.push_back(Sea::one(wind, seed, part));
+        known += vec3(longer.back().slopeCovariance()) / static_cast<float>(kSeas);
+      }
+      for (const double zenith : {60.0, 72.0, 80.0}) {
+        const glm::dvec3 v = direction(zenith, 0);
+        struct Class {
+          double got = 0, expected = 0;
+          int count = 0;
+        } classes[4];  // backs, flat, faces, steep faces
+        for (std::uint32_t k = 0; k < kSeas; ++k) {
+          for (std::uint32_t i = 0; i < kRays; ++i) {
+            const FacetedSea::Hit hit = facetSeen(sea.seas[k], v, i);
+            const glm::dvec2 slope = longer[k].slope(hit.position.x, hit.position.z);
+            const double rise = -slope.x / std::sqrt(static_cast<double>(known.x));  // away from the viewer
+            Class& c = classes[static_cast<std::size_t>(std::clamp(std::floor(rise + 1.5), 0.0, 3.0))];
+            c.got += skyAlbedo(vec3(v), vec2(slope), sea.covariance - known, sea.covariance);
+            c.expected += traceRay(sea.seas[k], even, hit.position + 1e-3 * v, -v).sky.x;
+            ++c.count;
+          }
+        }
+        for (const Class& c : classes) {
+          ASSERT_GT(c.count, 700);
+          EXPECT_NEAR(c.got / c.expected, 1, 0.06) << wind << " m/s " << part << ' ' << zenith << ' ' << &c - classes;
+        }
       }
     }
   }
