@@ -5,9 +5,9 @@
 
 PELAGIC_PHYSICS_BEGIN
 
-// How far the weather holds clouds down, 0 ... 1: fields of them, 25 to 55 km apart, and more open sea between. None around the
+// How far the weather holds clouds down, 0 ... 1: fields of them, 37 to 82 km apart, and more open sea between. None around the
 // origin, so that a scene there has the cover that it asks for. `place` in tiles; repeats after kCloudWeatherTiles.
-PELAGIC_FORMULA_CONSTANT float kCloudWeatherTiles = 8.0f;
+PELAGIC_FORMULA_CONSTANT float kCloudWeatherTiles = 12.0f;
 PELAGIC_FORMULA float cloudWeather(vec2 place) {
   vec2 p = place * (6.28318531f / kCloudWeatherTiles);
   float sum = cos(p.x + 2.0f * p.y) + cos(3.0f * p.x - p.y) + cos(4.0f * p.x + 3.0f * p.y);
