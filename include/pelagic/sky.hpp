@@ -23,7 +23,7 @@ inline constexpr double kSunAngularRadius = shader::kSunAngularRadius;
 
 /// One layer of clouds, which drifts with the wind. Its shape repeats after 15 km.
 struct CloudLayer {
-  double cover = 0;        ///< Share of the sky that they take, looking up [1], 0 none … 1 all.
+  double cover = 0;        ///< Share of the sky that they take, looking up in a field of them [1], 0 none … 1 all.
   double base = 800;       ///< Altitude of their base [m], 100 … 8000.
   double thickness = 700;  ///< From base to the highest tops [m], 50 … 4000.
   /// Along world x and z [m/s], -100 … 100 each. To change it moves the clouds by the difference times the time.
@@ -101,8 +101,9 @@ struct SkyMaps {
   /// resolution, pixel (x, y) of the view at ((x, y) + 0.5)/(3 extent): RGB light of the clouds and the air before
   /// them, A the transmittance for what is behind.
   MapView clouds;
-  /// r16f with mips, repeats: share of the sun's light that reaches sea level through the clouds. Of the point
-  /// p = (x, z) from the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
+  /// rg16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, with what they turn
+  /// by a few degrees only; R in a field of clouds, G where the weather holds them down. Of the point p = (x, z) from
+  /// the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
   MapView cloudShadow;
   double planetRadius = kEarthRadius;  ///< As given to Sky::create() [m]; that of the water it is composed with.
 };

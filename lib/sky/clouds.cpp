@@ -34,6 +34,8 @@ CloudPass cloudPassOf(const SkyState& state, const glm::vec3& light) noexcept {
   pass.base = static_cast<float>(state.clouds.base);
   pass.thickness = static_cast<float>(state.clouds.thickness);
   pass.threshold = static_cast<float>(std::clamp(upperQuantile(state.clouds.cover), -3.0, 3.0));
+  // A closed layer has no open sea between its clouds.
+  pass.openSea = std::clamp(1.5f * pass.threshold, 0.0f, 1.0f);
   // Of the noise's heights, of which a float tells 1024 apart, folded.
   pass.seed = (state.clouds.seed ^ (state.clouds.seed >> 10u) ^ (state.clouds.seed >> 20u)) & 1023u;
   return pass;
@@ -47,7 +49,7 @@ Result<Clouds> Clouds::create(gpu::Context& context, vk::Sampler repeat, vk::Sam
   PELAGIC_TRY(volume, createMap(context, "cloud volume", kCells, 1, vk::Format::eR16G16Sfloat, shader::kCloudLayers));
   PELAGIC_TRY(detail, createMap(context, "cloud detail", {shader::kCloudDetail, shader::kCloudDetail}, 1, half,
                                 shader::kCloudDetail));
-  PELAGIC_TRY(shadow, createMap(context, "cloud shadow", kCells, kShadowMips, half));
+  PELAGIC_TRY(shadow, createMap(context, "cloud shadow", kCells, kShadowMips, vk::Format::eR16G16Sfloat));
   result.field_ = std::move(field);
   result.volume = std::move(volume);
   result.detail = std::move(detail);

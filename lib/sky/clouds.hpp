@@ -18,7 +18,7 @@ class Clouds {
 
   gpu::Image volume;  ///< rg16f: field, fourth root of the sun's transmittance.
   gpu::Image detail;  ///< r16f, repeats in all directions.
-  gpu::Image shadow;  ///< r16f with mips.
+  gpu::Image shadow;  ///< rg16f with mips: SkyMaps::cloudShadow.
 
  private:
   void recordShape(gpu::Context& context, vk::CommandBuffer commands, const shader::CloudPass& push) noexcept;

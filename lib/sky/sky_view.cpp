@@ -5,6 +5,7 @@
 
 #include "pelagic/shader/sky_light.h"
 #include "physics/atmosphere.glsl"
+#include "physics/cloud_weather.glsl"
 #include "sky_clear_comp.spv.hpp"
 #include "sky_cloud_dome_comp.spv.hpp"
 #include "sky_cloud_view_comp.spv.hpp"
@@ -146,11 +147,13 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
   // In double precision: eye and time may be far.
   const glm::dvec2 drift = layer.velocity * std::fmod(sky->time, kTile * 1e6);
   const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - drift) / kTile;
-  view.place = glm::vec2(place - glm::floor(place));
+  constexpr double kWeather = physics::kCloudWeatherTiles;
+  view.place = glm::vec2(place - kWeather * glm::floor(place / kWeather));
   view.edge = shader::horizonElevation(static_cast<float>(altitude), static_cast<float>(sky->planetRadius));
   view.cover = static_cast<float>(sky->cloudCover());
   view.width = clouds.info().extent.width;
   view.height = clouds.info().extent.height;
+  view.openSea = sky::cloudPassOf(sky->recorded.state, {}).openSea;
   return view;
 }
 

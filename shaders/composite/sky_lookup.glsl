@@ -67,7 +67,7 @@ vec3 moonDisc(vec3 d, float pixel) {
 
 // The stars toward d: one in each cell of a cube's faces, spread over the pixels around it.
 vec3 starLight(vec3 d, float pixel) {
-  const float kCells = 64.0, kStars = 6.0 * kCells * kCells;
+  const float kCells = 128.0, kStars = 6.0 * kCells * kCells;
   vec4 turn = light.stars;
   vec3 q = d + 2.0 * cross(turn.xyz, cross(turn.xyz, d) + turn.w * d);
   vec3 size = abs(q);
@@ -77,12 +77,12 @@ vec3 starLight(vec3 d, float pixel) {
   uvec2 cell = min(uvec2(place), uvec2(uint(kCells) - 1u));
   uint row = cell.y + uint(kCells) * (2u * face + (f.x > 0.0 ? 1u : 0u));
   // Not so near the cell's border that its neighbour would have to show it.
-  vec2 at = vec2(cell) + 0.15 + 0.7 * vec2(latticeValue(uvec2(cell.x, row)), latticeValue(uvec2(cell.x + 64u, row)));
+  vec2 at = vec2(cell) + 0.15 + 0.7 * vec2(latticeValue(uvec2(cell.x, row)), latticeValue(uvec2(cell.x + 128u, row)));
   vec3 star = normalize(vec3(sign(f.x), 2.0 * at / kCells - 1.0));
-  float magnitude = starMagnitude(latticeValue(uvec2(cell.x + 128u, row)), kStars);
+  float magnitude = starMagnitude(latticeValue(uvec2(cell.x + 256u, row)), kStars);
   float spread = 1.3 * pixel;
   float near = max(1.0 - distance(star, normalize(f)) / spread, 0.0);
-  float warm = latticeValue(uvec2(cell.x + 192u, row));
+  float warm = latticeValue(uvec2(cell.x + 384u, row));
   vec3 tint = mix(vec3(0.8, 0.95, 1.3), vec3(1.25, 0.97, 0.7), warm);
   // The spread's square integrates to pi/6 of its radius' square.
   // The air takes what it does over a flat Earth, less at the horizon.

@@ -8,12 +8,16 @@
 #include "composite/tiles.glsl"
 #include "composite/sea_light.glsl"
 #include "composite/foam.glsl"
+#include "physics/cloud_weather.glsl"
 
-// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m].
+// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m]. Only an
+// eye above clouds looks so far that the weather changes.
 float sunThroughClouds(vec2 p, float side) {
   if (!kHasClouds) return 1.0;
   float lod = log2(max(side * light.cloudPlace.z * float(textureSize(cloudShadow, 0).x), 1.0));
-  return textureLod(cloudShadow, light.cloudPlace.xy + p * light.cloudPlace.z, lod).r;
+  vec2 place = light.cloudPlace.xy + p * light.cloudPlace.z;
+  vec2 shadow = textureLod(cloudShadow, place, lod).rg;
+  return mix(shadow.r, shadow.g, kVeiled ? cloudWeather(place) : light.cloudZenith.w);
 }
 
 // A direction in the level frame of a point that lies p [m] from the eye: the planet's curvature tilts the vertical by the

@@ -214,8 +214,9 @@ PELAGIC_FORMULA vec3 discCovariance(vec2 slope, vec3 l, float cosIncidence, floa
 // I_sun / (L_sun Omega_sun F), p(s_h) / (4 h.y^4) over the area seen, but of facets in sight of both the viewer and the
 // light, whose X is the same for both. `c` includes discCovariance().
 PELAGIC_FORMULA float sunReflection(Visibility seen, Visibility lit, vec3 v, vec2 slope, vec2 mean, vec3 c) {
-  // No facet of the sea is as steep as 10; only light and viewer both at the horizon would ask for one.
-  if (lit.mean <= 1e-6f || dot(slope, slope) > 100.0f) return 0.0f;
+  // No facet of the sea is as steep as 2, 8 deviations at 20 m/s (Cox & Munk 1954); light and viewer both at the horizon ask
+  // for steeper ones beside the light, where the Gaussian that stands for its disc has tails.
+  if (lit.mean <= 1e-6f || dot(slope, slope) > 4.0f) return 0.0f;
   float inverseY2 = 1.0f + dot(slope, slope);
   float facing = v.y - (v.x * slope.x + v.z * slope.y);
   float seenShare = shareInSight(seen, facing) / seen.inSight;

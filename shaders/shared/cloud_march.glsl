@@ -20,9 +20,10 @@ vec3 cloudAmbient(float height) {
 
 // `d`: unit, `place`: of the eye in the tile, `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
 // most. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
-// passes more than an eighth of it.
+// passes more than an eighth of it, and none that meets clouds more than a thirty-second. `openSea`: what the weather takes off
+// the field at most, in the middle of the way, since it changes over tens of kilometres.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
-                       float finest, float pixel, int steps) {
+                       float openSea, float finest, float pixel, int steps) {
   const float kFieldScale = 150.0, kFarther = 0.02;
   const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0;
   vec2 span = cloudSpan(altitude, d.y, base, top);
@@ -30,13 +31,14 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
   // A thin layer has a few steps at least.
   float coarsest = 0.25 * (span.y - span.x);
   float mu = dot(d, light.sunDirection.xyz);
+  float weather = openSea * cloudWeather(place + d.xz * (0.5 * (span.x + span.y) / kCloudTile));
   CloudsSeen seen = CloudsSeen(vec3(0), 1.0, 0.0);
   vec2 cloud = vec2(0, 1);
   float t = span.x, step = 0.0, next = 0.0, field = -1.0;
   int i = 0;
   while (i < steps && t < span.y && seen.transmittance > 0.01) {
     vec3 at;
-    float h, least, before, lit;
+    float h, least, before, lit, blur;
     // On to where there may be clouds, torn or not, on the way from the last sample.
     do {
       before = field;
@@ -46,18 +48,24 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
       h = altitudeAlong(altitude, d.y, t);
       at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
       cloud = textureLod(volume, at, 0).rg;
-      least = min(max(finest, kFarther * t), coarsest);  // far off, steps grow with the distance
+      cloud.r -= weather;
+      blur = 0.25 * pixel * t / kFieldScale;  // half a pixel's width, where the field changes by 1 in twice its least way
+      // Far off, steps grow with the distance.
+      least = min(max(finest, min(kFarther * t, 0.25 * most)), coarsest);
       field = tornField(cloud.r, kLeastHole);
       next = min(clamp(-kFieldScale * field, least, max(least, most)), span.y - t);
-    } while (++i < steps && max(before, field) < 0.0 && t < span.y);
+    } while (++i < steps && max(before, field) < -blur && t < span.y);
     // Bubbles smaller than steps or than a pixel are left out.
     float hole = textureLod(detail, vec3(at.xy * (kCloudTile / kCloudDetailTile), h / kCloudDetailTile), 0).r;
     float kept = clamp(1.5 - max(t * pixel / kSmallestBubble, least / kLargestBubble), 0.0, 1.0);
     field = tornField(cloud.r, mix(kMeanHole, hole, kept));
-    float taken = seen.transmittance * (1.0 - exp(-kCloudExtinction * cloudDensityBetween(before, field) * step));
+    float density = cloudDensityBetween(min(before, field) - blur, max(before, field) + blur);
+    float taken = seen.transmittance * (1.0 - exp(-kCloudExtinction * density * step));
     float halfway = 0.5 * step;
     float middle = clamp(at.z - halfway * d.y / (top - base), 0.0, 1.0);
-    vec3 source = light.cloudSun.rgb * cloudScattering(mu, 0.5 * (lit + cloud.g)) + cloudAmbient(middle);
+    float q = 0.5 * (lit + cloud.g);
+    q = mix(q, sqrt(q), weather);  // clouds held down are half as deep on the sun's way
+    vec3 source = light.cloudSun.rgb * cloudScattering(mu, q) + cloudAmbient(middle);
     seen.light += taken * source;
     seen.distance += taken * (t - halfway);
     seen.transmittance -= taken;

@@ -57,6 +57,9 @@ struct CloudPass {
   float thickness;    // [m]
   float threshold;    // of a standard normal field above which there are clouds
   uint seed;          // 10 bits
+  float openSea;      // how far the field falls where the weather holds clouds down
+  float padding1;
+  vec2 padding2;
 };
 
 // Of the passes that look at it. The direction through a pixel is ray + x rayX + y rayY; the dome's pixels are its own.
@@ -69,7 +72,8 @@ struct CloudView {
   float cover;
   uint width;  // of the clouds' picture [px]
   uint height;
-  vec2 padding;
+  float openSea;  // as in CloudPass
+  float padding;
 };
 
 PELAGIC_SHADER_END

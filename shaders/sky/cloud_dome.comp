@@ -19,6 +19,7 @@ void main() {
   q *= min(1.0, 0.999 * inversesqrt(max(dot(q, q), 1e-8)));  // below the horizon: the horizon
   vec3 d = vec3(2.0 * q.x, 1.0 - dot(q, q), 2.0 * q.y) / (1.0 + dot(q, q));
   vec3 air = textureLod(radiance, skyUv(d), 0).rgb;
-  CloudsSeen seen = cloudsAlong(volume, detail, d, 0.0, view.place, view.rayX.w, view.rayY.w, 100.0, 0.02, 32);
+  CloudsSeen seen = cloudsAlong(volume, detail, d, 0.0, view.place, view.rayX.w, view.rayY.w, view.openSea,
+                               100.0, 0.02, 32);
   imageStore(dome, texel, vec4(cloudsThroughAir(seen, 0.0, view.rayX.w, view.rayY.w, air), seen.transmittance));
 }

@@ -12,7 +12,8 @@ layout(binding = 1) uniform sampler3D detail;
 
 const uint kLargestCells = 4u;  // of the tile: 3.8 km
 const uint kOctaves = 3u;
-const float kWeights[] = {0.6, 1.0, 0.8, 0.6};  // the last: of the heads
+const float kWeights[] = {0.6, 1.0, 0.8};
+const float kHeadsWeight = 0.42;  // of a unit deviation of the octaves
 
 void main() {
   uvec3 cell = gl_GlobalInvocationID;
@@ -36,9 +37,10 @@ void main() {
   const float kHeads = 4.0 * kCloudDetailTile, kHeadsDeviation = 0.114;
   vec3 head = vec3(p.xy * kCloudTile, height + 0.37 * kHeads * float(pass.seed)) / kHeads;
   float bubbles = (kMeanHole - textureLod(detail, head + vec3(0.1 * stirred, 0), 0).r) / kHeadsDeviation;
-  sum += kWeights[kOctaves] * bubbles;
-  squares += kWeights[kOctaves] * kWeights[kOctaves];
-  float normal = sum * inversesqrt(squares);
+  float large = sum * inversesqrt(squares);
+  // They grow on clouds only: elsewhere they would stand alone, as beads.
+  float heads = kHeadsWeight * smoothstep(-0.8, 0.4, large - pass.threshold);
+  float normal = (large + heads * bubbles) * inversesqrt(1.0 + heads * heads);
   // Clouds rise from a flat base as far as they are strong.
   float profile = 2.5 * p.z * p.z + 3.0 * (1.0 - smoothstep(0.0, 0.12, p.z));
   imageStore(field, ivec3(cell), vec4(clamp(normal - pass.threshold - profile, -4.0, 4.0), 0, 0, 0));

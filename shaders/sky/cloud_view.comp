@@ -24,8 +24,8 @@ void main() {
   // A pixel of the clouds' picture also serves the pixels of the sky that it hangs over the horizon with.
   float pixelSize = length(view.rayY.xyz) / length(view.ray.xyz);
   if (view.ray.w < view.rayX.w && d.y > edge - 2.0 * pixelSize) d = normalize(vec3(d.x, max(d.y, edge + 1e-3), d.z));
-  CloudsSeen seen =
-      cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, kFinest, pixelSize, kSteps);
+  CloudsSeen seen = cloudsAlong(volume, detail, d, view.ray.w, view.place, view.rayX.w, view.rayY.w, view.openSea, kFinest,
+                                pixelSize, kSteps);
   vec3 shown = vec3(0);
   // Once where there are clouds. A loop, because software devices walk through both sides of a branch.
   for (float cover = 1.0 - seen.transmittance; cover > 0.0; cover = 0.0) {

@@ -2,6 +2,7 @@
 // The sky's light around an eye: that of the cloudless sky, with the irradiance of the environment that holds the clouds.
 #extension GL_GOOGLE_include_directive : require
 #include "pelagic/shader/sky_light.h"
+#include "physics/cloud_weather.glsl"
 #include "shared/sky_pass.h"
 
 const uint kThreads = 256;
@@ -39,6 +40,7 @@ void main() {
     SkyLight seen = sky;
     if (view.cover > 0.0) seen.skyIrradiance.rgb = partial[0];
     seen.cloudPlace = vec4(view.place, 1.0 / kCloudTile, view.cover > 0.0 ? view.rayX.w : seen.cloudPlace.w);
+    seen.cloudZenith.w = cloudWeather(view.place);
     seen.cloudSun.w = view.cover > 0.0 ? view.rayY.w : seen.cloudSun.w;
     light = seen;
   }

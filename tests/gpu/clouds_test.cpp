@@ -4,6 +4,8 @@
 #include <pelagic/sky.hpp>
 
 #include "pelagic/shader/sky_light.h"
+#include "physics/cloud_weather.glsl"
+#include "physics/clouds.glsl"
 #include "shared/sky_pass.h"
 #include "support/gpu_test.hpp"
 
@@ -11,6 +13,8 @@ namespace {
 
 namespace shader = pelagic::shader;
 constexpr double kPi = std::numbers::pi;
+/// Where less than 0.6 of the sun's light comes through unscattered.
+const float kShaded = std::pow(0.6f, pelagic::physics::kCloudDimming);
 
 class CloudsTest : public support::GpuTest {
  protected:
@@ -38,7 +42,8 @@ class CloudsTest : public support::GpuTest {
   struct Seen {
     std::vector<float> clouds;  ///< Four a pixel of the clouds' picture.
     VkExtent2D extent;
-    std::vector<float> shadow;  ///< One a texel.
+    std::vector<float> shadow;  ///< One a texel, where the weather holds no clouds down.
+    std::vector<float> opener;  ///< The same where it does its most.
     std::vector<float> environment;
     shader::SkyLight light, clearLight;
     /// Mean of a channel over the picture.
@@ -51,10 +56,12 @@ class CloudsTest : public support::GpuTest {
       return clouds[4 * (extent.height / 2 * extent.width + extent.width / 2) + channel];
     }
     double shadowAt(glm::dvec2 place) const {
+      const auto weather = static_cast<double>(pelagic::physics::cloudWeather(glm::vec2(place)));
       place -= glm::floor(place);
       const auto size = static_cast<double>(shader::kCloudCells);
       const auto x = static_cast<std::size_t>(place.x * size), z = static_cast<std::size_t>(place.y * size);
-      return shadow[z * shader::kCloudCells + x];
+      return std::lerp(static_cast<double>(shadow[z * shader::kCloudCells + x]),
+                       static_cast<double>(opener[z * shader::kCloudCells + x]), weather);
     }
   };
   Seen look(const pelagic::SkyState& state, const pelagic::Camera& camera, double time = 0) {
@@ -73,7 +80,11 @@ class CloudsTest : public support::GpuTest {
     Seen seen;
     seen.clouds = common::readFloats(gpu(), maps.clouds, 0);
     seen.extent = maps.clouds.extent;
-    seen.shadow = common::readFloats(gpu(), maps.cloudShadow, 0);
+    const std::vector<float> shadows = common::readFloats(gpu(), maps.cloudShadow, 0);
+    for (std::size_t i = 0; i < shadows.size(); i += 2) {
+      seen.shadow.push_back(shadows[i]);
+      seen.opener.push_back(shadows[i + 1]);
+    }
     seen.environment = common::readFloats(gpu(), maps.environment, 0);
     const auto read = [&](VkBuffer buffer, shader::SkyLight& light) {
       std::memcpy(&light, common::readBuffer(gpu(), buffer, maps.lightSize).data(), sizeof(light));
@@ -88,7 +99,7 @@ TEST_F(CloudsTest, CoverIsTheShareOfTheSkyInCloud) {
   for (const double cover : {0.0, 0.15, 0.4, 0.7, 1.0}) {
     const Seen seen = look(stateOf(cover), vertical({0, 3, 0}, true));
     std::size_t shaded = 0;
-    for (const float light : seen.shadow) shaded += light < 0.6f;
+    for (const float light : seen.shadow) shaded += light < kShaded;
     EXPECT_NEAR(static_cast<double>(shaded) / static_cast<double>(seen.shadow.size()), cover, 0.08) << cover;
     // Where host and composite find the layer; without clouds it is nowhere.
     EXPECT_EQ(seen.light.cloudPlace.w, cover == 0 ? 1e9f : static_cast<float>(stateOf(cover).clouds.base));
@@ -171,7 +182,7 @@ TEST_F(CloudsTest, CloudsStandInClusters) {
     double shaded = 0;
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
       const std::uint32_t x = square % 4 * kSide + i % kSide, z = square / 4 * kSide + i / kSide;
-      shaded += shadow[z * kCells + x] < 0.6f;
+      shaded += shadow[z * kCells + x] < kShaded;
     }
     shaded /= kSide * kSide;
     sum += shaded / 16;

@@ -95,7 +95,7 @@ TEST_F(NightTest, TheDiscIsLitFromTheSun) {
 /// All starlight over the sphere is what the magnitudes add up to; and it turns with the sky.
 TEST_F(NightTest, StarsCarryTheirIrradiance) {
   const auto draw = [&](double yaw, double pitch, const glm::vec4& turn) {
-    support::SyntheticScene scene(gpu(), {320, 320});
+    support::SyntheticScene scene(gpu(), {640, 640});
     scene.sky = {0, 0, 0, 1};
     scene.camera.rotation = support::lookAlong(yaw, pitch);
     scene.camera.projection = support::perspective(kPi / 2, 1, 0.1, true);
@@ -106,7 +106,7 @@ TEST_F(NightTest, StarsCarryTheirIrradiance) {
     scene.render(device());
     return scene.radiance;
   };
-  constexpr int kCount = 24576;
+  constexpr int kCount = 98304;
   double expected = 0;
   for (int i = 0; i < kCount; ++i) {
     const float u = (static_cast<float>(i) + 0.5f) / kCount;
@@ -119,14 +119,14 @@ TEST_F(NightTest, StarsCarryTheirIrradiance) {
     const double pitch = face == 4 ? kPi / 2 : face == 5 ? -kPi / 2 : 0;
     const std::vector<float> picture = draw(face * kPi / 2, pitch, {0, 0, 0, 1});
     for (std::size_t i = 0; i < picture.size() / 4; ++i) {
-      const double x = (static_cast<double>(i % 320) + 0.5) / 160 - 1,
-                   y = (static_cast<double>(i / 320) + 0.5) / 160 - 1;
-      sum += static_cast<double>(picture[4 * i + 1]) / std::pow(1 + x * x + y * y, 1.5) / (160 * 160);
+      const double x = (static_cast<double>(i % 640) + 0.5) / 320 - 1,
+                   y = (static_cast<double>(i / 640) + 0.5) / 320 - 1;
+      sum += static_cast<double>(picture[4 * i + 1]) / std::pow(1 + x * x + y * y, 1.5) / (320 * 320);
       dark += picture[4 * i + 1] == 0;
     }
   }
   EXPECT_NEAR(sum / expected, 1, 0.25) << "the few brightest are chance";
-  EXPECT_GT(dark, 6u * 320 * 320 / 2) << "points, not a glow";
+  EXPECT_GT(dark, 6u * 640 * 640 / 2) << "points, not a glow";
   // A quarter turn about the vertical: what stood ahead stands to the side.
   const double c = std::sqrt(0.5);
   const std::vector<float> ahead = draw(0, 0, {0, 0, 0, 1}), turned = draw(kPi / 2, 0, {0, c, 0, c});

@@ -22,7 +22,7 @@ TEST(Moon, TintLeavesTheLuminance) {
 }
 
 TEST(Stars, AreAsManyAndAsBrightAsReal) {
-  constexpr int kCount = 24576;
+  constexpr int kCount = 98304;
   int toSixAndAHalf = 0, toThird = 0;
   for (int i = 0; i < kCount; ++i) {
     const float magnitude = physics::starMagnitude((static_cast<float>(i) + 0.5f) / kCount, kCount);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "pelagic/shader/constants.h"
 #include "physics/fresnel.glsl"
 #include "physics/ocean_brdf.glsl"
 
@@ -296,6 +297,22 @@ TEST(OceanBrdf, IsReciprocal) {
         EXPECT_NEAR(forward, backward, 2e-5 * forward + 1e-12) << first << ' ' << second;
       }
     }
+  }
+}
+
+/// The Gaussian that stands for the sun's disc has tails, which steep facets seen along the sea would mirror far beside
+/// it.
+TEST(OceanBrdf, ASettingSunIsMirroredBelowItselfAlone) {
+  const vec3 c{0.01f, 0.01f, 0}, l = direction(degrees(89.7), kPi), v0 = direction(degrees(89.8), 0);
+  const auto glint = [&](const vec3& v) {
+    const vec2 slope = physics::mirrorSlope(v, l);
+    const vec3 disc =
+        physics::discCovariance(slope, l, glm::dot(v, glm::normalize(v + l)), pelagic::shader::kSunAngularRadius);
+    return physics::sunReflection(physics::visibility(v, vec2(0), c), physics::visibility(l, vec2(0), c), v, slope,
+                                  vec2(0), c + disc);
+  };
+  for (const double azimuth : {2.0, 3.0, 5.0, 8.0}) {
+    EXPECT_LT(glint(direction(degrees(89.8), degrees(azimuth))), 1e-3f * glint(v0)) << azimuth;
   }
 }
 

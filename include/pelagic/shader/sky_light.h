@@ -19,7 +19,8 @@ struct SkyLight {
   vec4 skyIrradiance;  // rgb on a horizontal plane from the sky without the sun, w twilight gain (pelagic/sky.hpp)
   vec4 rayleighExtinction;  // rgb at sea level [1/m], w scale height [m]
   vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
-  vec4 cloudZenith;         // rgb radiance at the zenith of the overcast sky's share
+  vec4 cloudZenith;  // rgb radiance at the zenith of the overcast sky's share, w how far the weather over the eye holds
+                     // clouds down, 0 ... 1
   vec4 cloudSun;  // rgb irradiance on a plane facing the sun at the clouds' altitude, w their highest tops [m], 1e9
                   // without clouds
   vec4 moonDirection;  // xyz toward the moon (world), w share of the starlight that the overcast lets through
