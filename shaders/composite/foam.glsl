@@ -44,7 +44,7 @@ struct Foam {
 };
 const float kFoamAlbedo = 0.78;  // of foam that hides the water
 const float kFoamHeight = 0.06;  // of a unit of the pattern [m]
-const float kFoamOpacity = 16.0;  // optical depth of a unit of the pattern
+const float kFoamOpacity = 30.0;  // half the transport optical depth of a unit of the pattern
 
 const int kFoamTaps = 3;
 
@@ -78,9 +78,12 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
     float part = 1.0 / (1.0 + exp(-x));
     float thickness = spread * log(1.0 + exp(x)) / (1.702 * part);
     cover += part;
-    // The mean over what is unresolved, thickness being Gamma distributed: Beer's law where all is resolved.
-    float varied = clamp(pattern.unresolved * pattern.unresolved / max(thickness * thickness, 1e-6), 0.01, 1.0);
-    hidden += part * (1.0 - exp(-log(1.0 + varied * thickness * density) / varied));
+    // Two streams through a layer that absorbs nothing (Bohren 1987), so that a dense core still shows where it is thicker;
+    // the mean over what is unresolved to the second order, thickness being Gamma distributed.
+    float depth = thickness * density;
+    float varied = min(pattern.unresolved * pattern.unresolved / max(thickness * thickness, 1e-6), 1.0);
+    float shown = depth / (1.0 + depth);
+    hidden += part * shown * (1.0 - varied * shown / (1.0 + depth));
     if (tap == 0) first = pattern.height;
     last = pattern.height;
     q += step;
