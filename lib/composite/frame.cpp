@@ -107,8 +107,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const WaterBuffer& 
   frame.waves = waveSampling(waves, eye);
   frame.absorption = glm::vec4(medium.absorption, static_cast<float>(camera.position.y));
   setLook(medium, frame);
-  // Old foam is blown into streaks from about 12 m/s on, Beaufort's force 6 to 7.
-  const double streaks = glm::smoothstep(9.0, 15.0, waves.windSpeed);
+  // Old foam begins to be blown into streaks at Beaufort's force 7, 14 m/s; in a gale it is.
+  const double streaks = glm::smoothstep(11.0, 18.0, waves.windSpeed);
   frame.thinCrest.w = static_cast<float>(streaks);
   const float height = std::max(static_cast<float>(camera.position.y), 0.0f);
   const float radius = static_cast<float>(water.planetRadius);

@@ -14,8 +14,10 @@ namespace pelagic {
 namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
-/// Waves that break into foam that stays for seconds are longer than this [m].
-constexpr double kShortestFoamingWave = 1;
+/// Waves that break into foam that stays for seconds are longer than this [m]. A breaker's foam fades within a few of
+/// its wave's periods, 1.6 s here, and the maps keep all foam for kFoamLifetime: that of shorter waves would be a film
+/// all over.
+constexpr double kShortestFoamingWave = 4;
 /// Largest wave number of a layout [rad/m]: 0.6 mm.
 constexpr double kShortestWave = 1e4;
 

@@ -36,8 +36,8 @@ double expectedFoam(const JacobianSpread& band, double inverseSpread, double thr
     before = coverage;
   }
   // High crests come in groups, so that several crossings fade together where Rice counts each alone: over winds of 5
-  // to 25 m/s the maps show about 0.75 of the sum. Independent events that overlap leave exp(-E) of the water bare.
-  constexpr double kGrouping = 0.75;
+  // to 25 m/s the maps show about 0.85 of the sum. Independent events that overlap leave exp(-E) of the water bare.
+  constexpr double kGrouping = 0.85;
   return -std::expm1(-kGrouping * (mean + kFoamLifetime * fading));
 }
 

@@ -65,7 +65,8 @@ uint foamingCascades(Water water, float view) {
   for (uint c = 0u; c < frame.waves.cascades; ++c) {
     vec4 placement = frame.waves.placement[c];
     float texel = placement.w / float(frame.waves.size);
-    float reach = 2.0 * max(float(kTileSize) * side, water.depth) + 4.0 * max(max(side, kFoamGrain), texel);
+    float reach = 2.0 * max(float(kTileSize) * side, water.depth) + 4.0 * max(side, texel) +
+                  2.0 * foamDrift();
     bool strewn = water.farthest * frame.waterAlbedo.w * placement.x * kStrewnFootprint > 1.0;
     float lod = strewn ? frame.waves.maxLod
                        : min(ceil(waveLod(placement, float(frame.waves.size), reach)), frame.waves.maxLod);

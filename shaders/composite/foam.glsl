@@ -44,31 +44,30 @@ struct Foam {
 };
 const float kFoamAlbedo = 0.78;  // of foam that hides the water
 const float kFoamHeight = 0.06;  // of a unit of the pattern [m]
-const float kFoamOpacity = 10.0;  // optical depth of a unit of the pattern
+const float kFoamOpacity = 30.0;  // half the transport optical depth of a unit of the pattern
 
 const int kFoamTaps = 3;
 
 // The share of the sea above a level of the pattern is what the freshness asks for, at every distance: near by the level
 // cuts lace out of the pattern, far off the share itself is what is left. The pixel covers `along` [m] of the water away
-// from the eye and `across`: taps in a row, each as wide as its part of the longer side.
-Foam foamAt(float freshness, vec2 p, float across, vec2 along) {
+// from the eye and `across`: taps in a row, each as wide as its part of the longer side. `lane`: how far old foam gathers here.
+Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   const float kEdge = 0.03;  // softness of an edge near by
   vec2 wind = frame.foam.zw;
   vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
   // In a strong wind older foam gathers in streaks along it.
-  float streak = latticeNoise(q * vec2(0.0625, 0.25), uvec2(32u, 128u));
-  float mixed = mix(0.5, streak, frame.thinCrest.w * clamp(1.5 - 0.25 * length(along), 0.0, 1.0));  // four metres wide
-  float aged = clamp(freshness * (0.4 + 1.2 * mixed), 0.0, 1.0);
+  float gathered = mix(1.0, max(4.0 * lane - 1.0, 0.0), frame.thinCrest.w);
+  float aged = clamp(freshness * gathered, 0.0, 1.0);
   float share = clamp(mix(aged, freshness, freshness), 0.0, 0.995);
   // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).
   float level = kWhole / 1.702 * log((1.0 - share) / max(share, 1e-4));
 
-  // Torn, where the streaks' field is steep.
-  q += vec2(3.0, 0.7) * streak;
+  // Torn, where the lanes' field is steep.
+  q += vec2(3.0, 0.7) * lane;
   vec2 step = vec2(dot(along, wind), dot(along, vec2(-wind.y, wind.x))) * vec2(0.5, 1.0) / float(kFoamTaps);
   float footprint = max(across, length(along) / float(kFoamTaps));
   q -= step * (0.5 * float(kFoamTaps - 1));
-  float density = kFoamOpacity * mix(0.4, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age
+  float density = kFoamOpacity * mix(0.6, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age
   float cover = 0.0, hidden = 0.0, first = 0.0, last = 0.0;
   int tap = 0;
   do {
@@ -79,15 +78,18 @@ Foam foamAt(float freshness, vec2 p, float across, vec2 along) {
     float part = 1.0 / (1.0 + exp(-x));
     float thickness = spread * log(1.0 + exp(x)) / (1.702 * part);
     cover += part;
-    // The mean over what is unresolved, thickness being Gamma distributed: Beer's law where all is resolved.
-    float varied = clamp(pattern.unresolved * pattern.unresolved / max(thickness * thickness, 1e-6), 0.01, 1.0);
-    hidden += part * (1.0 - exp(-log(1.0 + varied * thickness * density) / varied));
+    // Two streams through a layer that absorbs nothing (Bohren 1987), so that a dense core still shows where it is thicker;
+    // the mean over what is unresolved to the second order, thickness being Gamma distributed.
+    float depth = thickness * density;
+    float varied = min(pattern.unresolved * pattern.unresolved / max(thickness * thickness, 1e-6), 1.0);
+    float shown = depth / (1.0 + depth);
+    hidden += part * shown * (1.0 - varied * shown / (1.0 + depth));
     if (tap == 0) first = pattern.height;
     last = pattern.height;
     q += step;
   } while (++tap < kFoamTaps);
   Foam foam;
-  foam.cover = min(share * 50.0, 1.0) * cover / float(kFoamTaps);
+  foam.cover = min(share * 1000.0, 1.0) * cover / float(kFoamTaps);
   foam.opacity = hidden / max(cover, 1e-4);
   foam.rise = kFoamHeight * (last - first) * float(kFoamTaps) / (float(kFoamTaps - 1) * max(length(along), 0.01));
   return foam;

@@ -20,14 +20,28 @@ struct SeaPoint {
   vec3 residual;     // covariance of the slopes about their mean: xx, zz, xz
   vec4 all;          // covariance of all the sea's slopes here; w: its reflectance seen from the horizon
   float compression; // how far the water is pushed together, -div D: near 1 at a crest about to break
+  float lane;        // how far old foam gathers here, 0 ... 1
   float foam;        // mean freshness of the foam, 0 ... 1
 };
+
+// Of the foam of a freshness, what is breaking now and stays on its crest. The rest is old.
+float breakingFoam(float freshness) { return freshness * smoothstep(0.5, 0.9, freshness); }
+
+// Where the wind gathers old foam, 0 ... 1, a half in the mean: lanes along it 4 and 16 m wide and eight times as long, as far
+// as the footprint `side` [m] resolves them.
+float foamLane(vec2 p, float side) {
+  vec2 wind = frame.foam.zw;
+  vec2 q = frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)));
+  float wide = latticeNoise(q * vec2(1.0 / 128.0, 1.0 / 16.0), uvec2(8u, 32u)) - 0.5;
+  float narrow = latticeNoise(q * vec2(1.0 / 32.0, 1.0 / 4.0), uvec2(32u, 128u)) - 0.5;
+  return 0.5 + 0.6 * clamp(1.5 - side / 16.0, 0.0, 1.0) * wide + 0.4 * clamp(1.5 - side / 4.0, 0.0, 1.0) * narrow;
+}
 
 // Freshness of a cascade's foam at a place in its patch. Far off, where a patch is seen many times over and the eye does not
 // find the crest that broke, every patch has its foam elsewhere: few spots laid out alike would show what the warp hides.
 float foamFreshness(uint cascade, vec2 uv, float side, float across) {
   vec4 placement = frame.waves.placement[cascade];
-  float lod = waveLod(placement, float(frame.waves.size), max(side, kFoamGrain));
+  float lod = waveLod(placement, float(frame.waves.size), side);
   float fresh = textureLod(foamMap, vec3(uv, float(cascade)), lod).r;
   float far = clamp(across * placement.x * kStrewnFootprint - 1.0, 0.0, 1.0);
   if (far > 0.0) {
@@ -60,6 +74,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   vec4 moments = vec4(0);      // variances and covariance of the slopes, dDz/dx
   vec3 all = frame.slopes.xyz;  // of the whole sea, where gains are 1
   float foamFree = 1.0;
+  float lane = 0.5;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
   vec2 q = p + waveWarp(frame.waves.warp, p);
   uint c = 0u;
@@ -100,9 +115,22 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   }
   if (kFoaming) {
+    // A strong wind draws old foam out and tears the edges of breaking crests. Where foam is looked up does not depend on
+    // where the sea broke, so that the mean cover stays.
+    vec2 drift = foamDrift() * frame.foam.zw;
+    if (frame.thinCrest.w > 0.0) lane = foamLane(p, side);
     do {
       uint foamy = uint(findLSB(foaming));
-      float fresh = foamFreshness(foamy, waveUv(frame.waves.placement[foamy], q), side, across);
+      vec4 placement = frame.waves.placement[foamy];
+      float texel = placement.w / float(frame.waves.size);
+      vec2 torn = q + (texel * (2.0 * lane - 1.0) * frame.thinCrest.w) * frame.foam.zw;
+      float fresh = breakingFoam(foamFreshness(foamy, waveUv(placement, torn), side, across));
+      uint tap = 0u;
+      do {
+        float away = 0.8 * lane - 1.0 + 0.4 * float(tap);
+        float f = foamFreshness(foamy, waveUv(placement, q + away * drift), side, across);
+        fresh += 0.25 * (f - breakingFoam(f));
+      } while (++tap < 4u);
       foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);
@@ -126,6 +154,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   if (kGain) all += (shortest * shortest - 1.0) * frame.waves.unresolved.xyz;
   sea.all = vec4(all, frame.slopes.w);
   sea.compression = -(gradient.z + gradient.w);
+  sea.lane = lane;
   sea.foam = 1.0 - foamFree;
   return sea;
 }

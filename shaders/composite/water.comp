@@ -81,7 +81,7 @@ void main() {
   vec3 top = normal.xyz;
   Foam foam;
   if (kFoaming) {
-    foam = foamAt(sea.foam, p, across, max(along, across) * away);
+    foam = foamAt(sea.foam, sea.lane, p, across, max(along, across) * away);
     top = normalize(top - vec3(away.x, 0, away.y) * foam.rise);
     normal.w = foam.cover;
   }

@@ -81,6 +81,29 @@ TEST_F(OceanFoamTest, OfAPatchIsNotSeenAgainInTheNext) {
   RecordProperty("worst", std::to_string(worst));
 }
 
+// Seen from above, displaced, drawn out by the wind and torn to lace, foam covers what the maps hold.
+TEST_F(OceanFoamTest, CoversWhatTheWindWantsSeenFromAbove) {
+  for (const double wind : {8.0, 12.0, 18.0, 25.0}) {
+    OceanInfo info;
+    info.waves.sea.windSpeed = wind;
+    info.waves.layout = waveLayout(info.waves.sea, 4, 256).value();
+    Camera camera;
+    camera.rotation = glm::mat3(1, 0, 0, 0, 0, 1, 0, -1, 0);                            // straight down
+    camera.projection = {{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 0, -1}, {0, 0, 0.1f, 0}};  // twice as wide as high
+    double cover = 0, squares = 0;
+    constexpr int kTimes = 3;
+    for (int i = 0; i < kTimes; ++i) {
+      camera.position = {3000 * i, 300, -1700 * i};
+      for (const double value : foamSeenBy(info, camera, 40 + 61 * i)) {
+        cover += value / (kTimes * kSide * kSide);
+        squares += value * value / (kTimes * kSide * kSide);
+      }
+    }
+    EXPECT_NEAR(cover / whitecapFraction(wind), 1, 0.3) << wind << " m/s";
+    EXPECT_GT(squares / cover, 0.2) << wind << " m/s: whitecaps, no film all over";
+  }
+}
+
 // Tiles of 8 x 8 pixels without foam are shaded apart. Foam fades out smoothly but where a crest hides it, which seldom
 // shows along a row, and as often within tiles as between them.
 TEST_F(OceanFoamTest, DoesNotEndAtTheEdgesOfTiles) {

@@ -68,9 +68,9 @@ wrong_formula(patch RIGHT "layout.cascades[0].length / longestPeakWavelength(sea
               WRONG "longestPeakWavelength(sea) / layout.cascades[0].length"
               CAUGHT_BY GridSea.SaysWhenThePatchesAreTooShort)
 wrong_formula(foaming_band RIGHT "std::sqrt(cascade.kMin * cascade.kMax)" WRONG "std::sqrt(cascade.kMin * cascade.kMin)"
-              CAUGHT_BY GridSea.KeepsFoamOfWavesLongerThanAMetre)
+              CAUGHT_BY GridSea.KeepsFoamOfWavesLongerThanFourMetres)
 wrong_formula(foaming_length RIGHT "kTwoPi / kShortestFoamingWave" WRONG "1 / kShortestFoamingWave"
-              CAUGHT_BY GridSea.KeepsFoamOfWavesLongerThanAMetre)
+              CAUGHT_BY GridSea.KeepsFoamOfWavesLongerThanFourMetres)
 wrong_formula(unresolved RIGHT "report.target.upwind - report.grid.upwind"
               WRONG "report.target.upwind + report.grid.upwind" CAUGHT_BY GridSea.ReportsSlopesAlongTheWind)
 

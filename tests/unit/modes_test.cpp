@@ -175,15 +175,15 @@ TEST(GridSea, SaysHowFarALoopBendsFrequencies) {
   EXPECT_NEAR(makeGridSea(info.sea, info).report.frequencyError, worst, 1e-9);
 }
 
-TEST(GridSea, KeepsFoamOfWavesLongerThanAMetre) {
-  // A band counts by its middle, the geometric mean of its edges: 2 pi rad/m is a wave of a metre.
+TEST(GridSea, KeepsFoamOfWavesLongerThanFourMetres) {
+  // A band counts by its middle, the geometric mean of its edges: pi/2 rad/m is a wave of four metres.
   WaveLayout layout;
   layout.count = 3;
   layout.cascades[0] = {100, 0, 1};
-  layout.cascades[1] = {10, 1, 0.99 * kTwoPi * kTwoPi};
+  layout.cascades[1] = {10, 1, 0.99 * kTwoPi * kTwoPi / 16};
   layout.cascades[2] = {1, layout.cascades[1].kMax, 300};
   EXPECT_EQ(foamCascades(layout), 2u);
-  layout.cascades[1].kMax = 1.01 * kTwoPi * kTwoPi;
+  layout.cascades[1].kMax = 1.01 * kTwoPi * kTwoPi / 16;
   layout.cascades[2].kMin = layout.cascades[1].kMax;
   EXPECT_EQ(foamCascades(layout), 1u);
 }

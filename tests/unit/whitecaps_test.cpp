@@ -91,14 +91,14 @@ TEST(Whitecaps, OtherBandsSoftenTheEdges) {
 TEST(Whitecaps, ExpectedFoamIsTheShareThatBreaksAndWhatFades) {
   // Water breaks where a normal Jacobian is below 1 - x deviations, a share Phi(-x); its edge is a sixteenth of a
   // deviation wide. Rice (1944): that begins rate / (2 pi deviation) exp(-x^2 / 2) times a second, and the foam of each
-  // time fades linearly. expectedFoam lets three quarters of it overlap independently.
+  // time fades linearly. expectedFoam lets 0.85 of it overlap independently.
   constexpr double kDeviation = 0.1, kTwoPi = 6.28318530717959;
   for (const double x : {0.0, 0.5, 1.0}) {
     for (const double frequency : {0.0, 0.4}) {
       const std::array<JacobianSpread, 1> band{{{kDeviation, frequency * kDeviation, 0}}};
       const double breaking = 0.5 * std::erfc(x / std::sqrt(2.0));
       const double fading = 0.5 * pelagic::kFoamLifetime * frequency / kTwoPi * std::exp(-0.5 * x * x);
-      const double expected = 1 - std::exp(-0.75 * (breaking + fading));
+      const double expected = 1 - std::exp(-0.85 * (breaking + fading));
       EXPECT_NEAR(pelagic::expectedFoam(band, 1 - x * kDeviation) / expected, 1, 0.02) << x << ' ' << frequency;
     }
   }

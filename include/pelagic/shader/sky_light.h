@@ -21,8 +21,8 @@ struct SkyLight {
   vec4 mieExtinction;       // rgb at sea level [1/m], w scale height [m]
   vec4 cloudZenith;  // rgb radiance at the zenith of the overcast sky's share, w how far the weather over the eye holds
                      // clouds down, 0 ... 1
-  vec4 cloudSun;  // rgb irradiance on a plane facing the sun at the clouds' altitude, w their highest tops [m], 1e9
-                  // without clouds
+  vec4 cloudSun;     // rgb irradiance on a plane facing the sun at the clouds' altitude, w their highest tops [m], 1e9
+                     // without clouds
   vec4 moonDirection;  // xyz toward the moon (world), w share of the starlight that the overcast lets through
   vec4 moonRadiance;   // rgb of the lit part of its disc as seen from sea level; 0 below the horizon
   vec4 moonLit;        // xyz from the moon toward the sun (world)
