@@ -51,7 +51,8 @@ double longestPeakWavelength(const SeaState& sea) noexcept;
 /// Measured slopes of the real sea, Cox & Munk (1954): 0.00316 U up-wind, 0.003 + 0.00192 U across; U10 is used for
 /// U12.5.
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept;
-/// Fraction of the surface under whitecaps, Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1.
+/// Fraction of the surface under whitecaps, Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1; none in
+/// winds below 3.7 m/s, where Callaghan et al. (2008) saw none.
 double whitecapFraction(double windSpeed) noexcept;
 
 }  // namespace pelagic

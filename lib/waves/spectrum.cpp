@@ -325,6 +325,9 @@ double longestPeakWavelength(const SeaState& sea) noexcept {
 
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept { return {0.00316 * windSpeed, 0.003 + 0.00192 * windSpeed}; }
 
-double whitecapFraction(double windSpeed) noexcept { return std::min(1.0, 3.84e-6 * std::pow(windSpeed, 3.41)); }
+double whitecapFraction(double windSpeed) noexcept {
+  constexpr double kFirstWhitecaps = 3.7;  // m/s
+  return windSpeed < kFirstWhitecaps ? 0 : std::min(1.0, 3.84e-6 * std::pow(windSpeed, 3.41));
+}
 
 }  // namespace pelagic

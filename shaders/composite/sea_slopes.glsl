@@ -118,7 +118,11 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     // A strong wind draws old foam out and tears the edges of breaking crests. Where foam is looked up does not depend on
     // where the sea broke, so that the mean cover stays.
     vec2 drift = foamDrift() * frame.foam.zw;
-    if (frame.thinCrest.w > 0.0) lane = foamLane(p, side);
+    uint taps = 2u;
+    if (frame.thinCrest.w > 0.0) {
+      lane = foamLane(p, side);
+      taps = 4u;
+    }
     do {
       uint foamy = uint(findLSB(foaming));
       vec4 placement = frame.waves.placement[foamy];
@@ -127,10 +131,10 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
       float fresh = breakingFoam(foamFreshness(foamy, waveUv(placement, torn), side, across));
       uint tap = 0u;
       do {
-        float away = 0.8 * lane - 1.0 + 0.4 * float(tap);
+        float away = (2.0 * (float(tap) + lane)) / float(taps) - 1.0;
         float f = foamFreshness(foamy, waveUv(placement, q + away * drift), side, across);
-        fresh += 0.25 * (f - breakingFoam(f));
-      } while (++tap < 4u);
+        fresh += (f - breakingFoam(f)) / float(taps);
+      } while (++tap < taps);
       foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);

@@ -342,6 +342,8 @@ TEST(RealSea, HasTheMeasuredSlopesAndWhitecaps) {
   EXPECT_NEAR(slopes.upwind, 0.0316, 1e-9);
   EXPECT_NEAR(slopes.crosswind, 0.0222, 1e-9);
   EXPECT_NEAR(whitecapFraction(10), 3.84e-6 * std::pow(10, 3.41), 1e-12);
+  EXPECT_NEAR(whitecapFraction(4), 3.84e-6 * std::pow(4, 3.41), 1e-12);
+  EXPECT_EQ(whitecapFraction(3.6), 0);
 }
 
 }  // namespace
