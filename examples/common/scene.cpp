@@ -181,7 +181,7 @@ Fields lightFields(Scene& scene) {
       numberField("moon-illuminated", "X", "Part of the moon's disc that is lit, 0 new, 1 full", {0, 1, ""},
                   scene.sky.moonIlluminated),
       numberField("overcast", "X", "0 clear sky, 1 overcast", {0, 1, ""}, scene.sky.overcast),
-      numberField("cloud-cover", "X", "Share of the sky under clouds, 0 none, 1 all", {0, 1, ""},
+      numberField("cloud-cover", "X", "Share of the sky under clouds in a field of them, 0 none, 1 all", {0, 1, ""},
                   scene.sky.clouds.cover),
       numberField("cloud-base", "M", "Altitude of the clouds' base", {100, 8000, "m"}, scene.sky.clouds.base),
       numberField("cloud-thickness", "M", "Height of the clouds", {50, 4000, "m"}, scene.sky.clouds.thickness),

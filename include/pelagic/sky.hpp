@@ -21,7 +21,8 @@ namespace pelagic {
 /// Angular radius of the sun's disc [rad].
 inline constexpr double kSunAngularRadius = shader::kSunAngularRadius;
 
-/// One layer of clouds, which drifts with the wind. Its shape repeats after 15 km.
+/// One layer of clouds, which drifts with the wind. Its shape repeats after 15 km. Fields of clouds and open sea take
+/// turns over tens of kilometres; at time 0 a field lies over the origin of the world.
 struct CloudLayer {
   double cover = 0;        ///< Share of the sky that they take, looking up in a field of them [1], 0 none … 1 all.
   double base = 800;       ///< Altitude of their base [m], 100 … 8000.
@@ -102,7 +103,8 @@ struct SkyMaps {
   /// them, A the transmittance for what is behind.
   MapView clouds;
   /// rg16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, with what they turn
-  /// by a few degrees only; R in a field of clouds, G where the weather holds them down. Of the point p = (x, z) from
+  /// by a few degrees only; R in a field of clouds, G where the weather holds
+  /// them down, to be mixed by the w of SkyLight::cloudZenith. Of the point p = (x, z) from
   /// the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
   MapView cloudShadow;
   double planetRadius = kEarthRadius;  ///< As given to Sky::create() [m]; that of the water it is composed with.

@@ -145,7 +145,7 @@ shader::CloudView SkyView::Impl::cloudView(const Camera& camera) const noexcept 
   view.rayX = glm::vec4(glm::dvec4(kPixels * rays.right, layer.base));
   view.rayY = glm::vec4(glm::dvec4(kPixels * rays.down, layer.base + layer.thickness));
   // In double precision: eye and time may be far.
-  const glm::dvec2 drift = layer.velocity * std::fmod(sky->time, kTile * 1e6);
+  const glm::dvec2 drift = layer.velocity * std::fmod(sky->time, kTile * 12e6);
   const glm::dvec2 place = (glm::dvec2(camera.position.x, camera.position.z) - drift) / kTile;
   constexpr double kWeather = physics::kCloudWeatherTiles;
   view.place = glm::vec2(place - kWeather * glm::floor(place / kWeather));

@@ -39,7 +39,7 @@ struct GridSea {
 /// Checks every field; the error names it, its value and its range.
 Result<void> validate(const WavesInfo& info);
 
-/// How many cascades, from the longest, keep foam: those whose waves are longer than a metre, at the
+/// How many cascades, from the longest, keep foam: those whose waves are longer than four metres, at the
 /// middle of the band; at least one.
 std::uint32_t foamCascades(const WaveLayout& layout) noexcept;
 

@@ -107,7 +107,7 @@ double foamDecline(std::span<const JacobianSpread> bands, double threshold) noex
 double foldThreshold(std::span<const JacobianSpread> bands, double coverage) noexcept {
   constexpr double kNever = -1e6;
   const double deviation = totalDeviation(bands);
-  if (!(deviation > 0) || !(coverage > 0)) return kNever;
+  if (!(deviation > 0)) return kNever;
   double low = 1 - 10 * deviation;
   double high = 1 + 2 * deviation;
   for (int i = 0; i < 40; ++i) {

@@ -20,7 +20,7 @@ const float kLongestWave = 1.0 / 16.0;
 // How far a gale draws old foam out to either side along itself [m]. The drift of the surface, 3 % of a wind of 18 m/s (Wu 1975),
 // is 4.3 m in the 8 s that the maps keep foam; real streaks outlive that.
 const float kFoamDrift = 10.0;
-// And how far the wind of this sea does: at least the 2 m of 8 m/s.
+// And how far the wind of this sea does: at least 2 m, the drift at 8 m/s.
 float foamDrift() { return kFoamDrift * max(frame.thinCrest.w, 0.2); }
 
 // Pixels wider than this part of a patch see its foam strewn, from twice that on altogether.

@@ -115,7 +115,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   }
   if (kFoaming) {
-    // A strong wind draws old foam out and tears the edges of breaking crests. Where foam is looked up does not depend on
+    // Wind draws old foam out, and a strong one tears the edges of breaking crests. Where foam is looked up does not depend on
     // where the sea broke, so that the mean cover stays.
     vec2 drift = foamDrift() * frame.foam.zw;
     uint taps = 2u;
@@ -135,6 +135,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
         float f = foamFreshness(foamy, waveUv(placement, q + away * drift), side, across);
         fresh += (f - breakingFoam(f)) / float(taps);
       } while (++tap < taps);
+      fresh = min(fresh, 1.0);
       foamFree *= 1.0 - (kGain ? foamOfGain(fresh, gainAt(p, foamy), frame.waves.gain.w) : fresh);
       foaming &= foaming - 1u;
     } while (foaming != 0u);

@@ -77,7 +77,7 @@ vec3 starLight(vec3 d, float pixel) {
   uvec2 cell = min(uvec2(place), uvec2(uint(kCells) - 1u));
   uint row = cell.y + uint(kCells) * (2u * face + (f.x > 0.0 ? 1u : 0u));
   // Not so near the cell's border that its neighbour would have to show it.
-  vec2 at = vec2(cell) + 0.15 + 0.7 * vec2(latticeValue(uvec2(cell.x, row)), latticeValue(uvec2(cell.x + 128u, row)));
+  vec2 at = vec2(cell) + 0.25 + 0.5 * vec2(latticeValue(uvec2(cell.x, row)), latticeValue(uvec2(cell.x + 128u, row)));
   vec3 star = normalize(vec3(sign(f.x), 2.0 * at / kCells - 1.0));
   float magnitude = starMagnitude(latticeValue(uvec2(cell.x + 256u, row)), kStars);
   float spread = 1.3 * pixel;

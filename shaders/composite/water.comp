@@ -10,14 +10,16 @@
 #include "composite/foam.glsl"
 #include "physics/cloud_weather.glsl"
 
-// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m]. Only an
-// eye above clouds looks so far that the weather changes.
+// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m]. An eye below
+// clouds has its own weather all over the sea.
 float sunThroughClouds(vec2 p, float side) {
   if (!kHasClouds) return 1.0;
   float lod = log2(max(side * light.cloudPlace.z * float(textureSize(cloudShadow, 0).x), 1.0));
   vec2 place = light.cloudPlace.xy + p * light.cloudPlace.z;
   vec2 shadow = textureLod(cloudShadow, place, lod).rg;
-  return mix(shadow.r, shadow.g, kVeiled ? cloudWeather(place) : light.cloudZenith.w);
+  if (!kVeiled) return mix(shadow.r, shadow.g, light.cloudZenith.w);
+  vec2 above = cloudsTowardSun(place, light.sunDirection.xyz, light.cloudPlace.w, light.cloudSun.w, light.cloudPlace.z);
+  return mix(shadow.r, shadow.g, cloudWeather(above));
 }
 
 // A direction in the level frame of a point that lies p [m] from the eye: the planet's curvature tilts the vertical by the

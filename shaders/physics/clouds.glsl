@@ -18,8 +18,6 @@ PELAGIC_FORMULA_CONSTANT float kCloudExtinction = 0.04f;
 // Share of it that dims the sea's sun: of the light that drops scatter, mean cosine g = 0.85, the forward peak g^2 goes on as if
 // it had not been scattered (Joseph, Wiscombe & Weinman 1976); a sea of 3 m/s spreads the sun's image by 15 degrees itself.
 PELAGIC_FORMULA_CONSTANT float kCloudDimming = 1.0f - 0.85f * 0.85f;
-// Longest way through the layer that is followed, in thicknesses; what lies beyond is behind clouds or haze.
-PELAGIC_FORMULA_CONSTANT float kCloudLongest = 20.0f;
 
 // Distance from the altitude h to the sphere of the altitude `shell` along a ray that climbs through it or starts inside
 // it; without cancellation.

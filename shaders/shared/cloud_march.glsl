@@ -18,7 +18,7 @@ vec3 cloudAmbient(float height) {
   return (sky * mix(0.35, 1.0, height) + sea * mix(1.0, 0.35, height)) * (0.5 / kAirPi);
 }
 
-// `d`: unit, `place`: of the eye in the tile, `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
+// `d`: unit, `place`: of the eye [tiles], `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
 // most. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
 // passes more than an eighth of it, and none that meets clouds more than a thirty-second. `openSea`: what the weather takes off
 // the field at most, in the middle of the way, since it changes over tens of kilometres.
@@ -49,7 +49,8 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
       at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
       cloud = textureLod(volume, at, 0).rg;
       cloud.r -= weather;
-      blur = 0.25 * pixel * t / kFieldScale;  // half a pixel's width, where the field changes by 1 in twice its least way
+      // Half a pixel's width, where the field changes by 1 in twice its least way; it has a deviation of 1.
+      blur = min(0.25 * pixel * t / kFieldScale, 0.5);
       // Far off, steps grow with the distance.
       least = min(max(finest, min(kFarther * t, 0.25 * most)), coarsest);
       field = tornField(cloud.r, kLeastHole);

@@ -67,7 +67,7 @@ struct CloudView {
   vec4 ray;    // w: eye's altitude [m]
   vec4 rayX;   // w: altitude of the clouds' base [m]
   vec4 rayY;   // w: of their top
-  vec2 place;  // of the eye in the tile [tiles]
+  vec2 place;  // of the eye, 0 ... 12 [tiles]
   float edge;  // elevation of the eye's horizon [rad]
   float cover;
   uint width;  // of the clouds' picture [px]

@@ -40,7 +40,8 @@ void main() {
     SkyLight seen = sky;
     if (view.cover > 0.0) seen.skyIrradiance.rgb = partial[0];
     seen.cloudPlace = vec4(view.place, 1.0 / kCloudTile, view.cover > 0.0 ? view.rayX.w : seen.cloudPlace.w);
-    seen.cloudZenith.w = cloudWeather(view.place);
+    seen.cloudZenith.w =
+        cloudWeather(cloudsTowardSun(view.place, sky.sunDirection.xyz, view.rayX.w, view.rayY.w, 1.0 / kCloudTile));
     seen.cloudSun.w = view.cover > 0.0 ? view.rayY.w : seen.cloudSun.w;
     light = seen;
   }

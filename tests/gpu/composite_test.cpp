@@ -232,8 +232,7 @@ double opacityOfFoam(const SyntheticScene& scene, const std::vector<float>& bare
 }
 
 // Foam of a freshness is as bright in the mean where its lace is seen as where a pixel holds many patches of it, and
-// old foam is a film that hides less. Of a tenth the pattern's highest ridges are left, which are lower than the
-// Gaussian that stands for them far off and is 30 % brighter.
+// old foam is a film that hides less.
 TEST_F(CompositeTest, FoamThinsWithAgeAtEveryDistance) {
   SyntheticScene near(gpu(), {256, 256}), far(gpu(), {16, 16});
   near.fillWater(20);

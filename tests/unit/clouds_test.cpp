@@ -15,6 +15,29 @@ double altitude(double h, double mu, double t) {
   return std::sqrt((kRadius + h) * (kRadius + h) + 2 * (kRadius + h) * mu * t + t * t) - kRadius;
 }
 
+TEST(Clouds, WeatherTurnsFromFieldsToOpenSeaAndBack) {
+  EXPECT_EQ(physics::cloudWeather(glm::vec2(0)), 0);
+  double open = 0, fields = 0;
+  constexpr int kSteps = 48;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const glm::vec2 place = glm::vec2(i, j) * (physics::kCloudWeatherTiles / kSteps);
+      const float weather = physics::cloudWeather(place);
+      EXPECT_GE(weather, 0);
+      EXPECT_LE(weather, 1);
+      EXPECT_NEAR(physics::cloudWeather(place + glm::vec2(physics::kCloudWeatherTiles, -physics::kCloudWeatherTiles)),
+                  weather, 1e-4);
+      open += weather > 0.9f;
+      fields += weather < 0.1f;
+    }
+  }
+  EXPECT_GT(open, 0.2 * kSteps * kSteps);
+  EXPECT_GT(fields, 0.1 * kSteps * kSteps);
+  // The sun's ray at 30 degrees meets the middle of the layer, 1000 m up, sqrt(3) km toward the sun.
+  const glm::vec3 sun(std::sqrt(0.75f), 0.5f, 0);
+  EXPECT_NEAR(physics::cloudsTowardSun({1, 2}, sun, 500, 1500, 0.001f).x, 1 + std::sqrt(3.0), 1e-5);
+}
+
 TEST(Clouds, SpanIsWhereARayWalkedStepByStepIsInTheLayer) {
   constexpr double kBase = 800, kTop = 1500, kStep = 0.5;
   for (const double h : {2.0, 500.0, 900.0, 1400.0, 3000.0, 10e3}) {

@@ -36,6 +36,10 @@ TEST(Whitecaps, ThresholdGivesTheCoverageAskedFor) {
     EXPECT_GT(threshold, before) << "more foam breaks earlier";
     before = threshold;
   }
+  // So that a sea without foam and one with it mix.
+  const double none = pelagic::foldThreshold(kBands, 0);
+  EXPECT_GT(none, -20);
+  EXPECT_EQ(pelagic::expectedFoam(kBands, none), 0);
 }
 
 /// One wave s = sqrt(2) deviation cos(wt + phase) with a Rayleigh amplitude has the statistics of a Gaussian process of
