@@ -103,9 +103,8 @@ struct SkyMaps {
   /// them, A the transmittance for what is behind.
   MapView clouds;
   /// rg16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, with what they turn
-  /// by a few degrees only; R in a field of clouds, G where the weather holds
-  /// them down, to be mixed by the w of SkyLight::cloudZenith. Of the point p = (x, z) from
-  /// the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
+  /// by a few degrees only; R in a field of clouds, G where the weather holds them down, to be mixed by the w of
+  /// SkyLight::cloudZenith. Of the point p = (x, z) from the eye [m] it lies at xy + p z of SkyLight::cloudPlace.
   MapView cloudShadow;
   double planetRadius = kEarthRadius;  ///< As given to Sky::create() [m]; that of the water it is composed with.
 };

@@ -10,8 +10,8 @@
 #include "composite/foam.glsl"
 #include "physics/cloud_weather.glsl"
 
-// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m]. An eye below
-// clouds has its own weather all over the sea.
+// Share of the sun's light that the clouds let through to the sea at p [m] from the eye; `side`: of the footprint [m]. An eye
+// below clouds has its own weather all over the sea.
 float sunThroughClouds(vec2 p, float side) {
   if (!kHasClouds) return 1.0;
   float lod = log2(max(side * light.cloudPlace.z * float(textureSize(cloudShadow, 0).x), 1.0));

@@ -28,8 +28,9 @@ PELAGIC_FORMULA float meanFresnelFit(float cosView, float deviation) {
   return r + (1.0f - r) * schlick / (1.0f + 22.7f * deviation * sqrt(deviation));
 }
 
-// The table of mean reflectance and of how the facets that reflect face the view: entry (i,j) is for cosView = (i/(width-1))^2 and a standard deviation of the slope along
-// the view of kFresnelMaxDeviation (j/(height-1))^2, which is dense where the reflectance changes fast.
+// The table of mean reflectance and of how the facets that reflect face the view: entry (i,j) is for cosView =
+// (i/(width-1))^2 and a standard deviation of the slope along the view of kFresnelMaxDeviation (j/(height-1))^2,
+// which is dense where the reflectance changes fast.
 PELAGIC_FORMULA_CONSTANT int kFresnelTableWidth = 32;
 PELAGIC_FORMULA_CONSTANT int kFresnelTableHeight = 16;
 PELAGIC_FORMULA_CONSTANT float kFresnelMaxDeviation = 0.6f;

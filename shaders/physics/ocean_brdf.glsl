@@ -182,11 +182,12 @@ PELAGIC_FORMULA Mirrored mirroredBy(vec2 s, vec3 v) {
 }
 
 // Share of the sky in what facets mirror whose slopes have the mean `slope` and the covariance c; `all`: covariance of the
-// whole sea's slopes, and w its reflectance seen from the horizon (without gains). A facet mirrors the height r.y = 2 v.m/(m.m) - v.y,
-// m = (-s.x, 1, -s.y). Waves hide a low ray from it as they hide the sun: all below a height that is about 0.5 deviations of
-// the sea's slopes along the view, times its sine, in the mean, with as large a deviation. Both spreads together are taken as normal, and that as a logistic
-// curve. A hidden ray meets another wave, the more obliquely the higher it goes; grazing views send it up, steep ones down.
-// Both constants of that, and the power of the reflectance, are fitted to traced rays (unit sea_albedo_test has the whole).
+// whole sea's slopes, and w its reflectance seen from the horizon (without gains). A facet mirrors the height
+// r.y = 2 v.m/(m.m) - v.y, m = (-s.x, 1, -s.y). Waves hide a low ray from it as they hide the sun: all below a height that is
+// about 0.5 deviations of the sea's slopes along the view, times its sine, in the mean, with as large a deviation. Both
+// spreads together are taken as normal, and that as a logistic curve. A hidden ray meets another wave, the more obliquely the
+// higher it goes; grazing views send it up, steep ones down. Both constants of that, and the power of the reflectance, are
+// fitted to traced rays (unit sea_albedo_test has the whole).
 PELAGIC_FORMULA_CONSTANT float kHidingHeight = 0.48f;
 PELAGIC_FORMULA float shareOfSky(vec2 slope, vec3 c, vec3 v, vec4 all) {
   vec2 h = vec2(v.x, v.z);
