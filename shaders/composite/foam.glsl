@@ -40,11 +40,13 @@ FoamPattern foamPattern(vec2 q, float footprint) {
 struct Foam {
   float cover;    // share of the pixel under foam
   float opacity;  // of that foam
+  float shade;    // of its brightness, 1 in the mean
   float rise;     // slope of its top away from the eye
 };
 const float kFoamAlbedo = 0.78;  // of foam that hides the water
-const float kFoamHeight = 0.06;  // of a unit of the pattern [m]
+const float kFoamHeight = 0.12;  // of a unit of the pattern [m]
 const float kFoamOpacity = 30.0;  // half the transport optical depth of a unit of the pattern
+const float kFoamShade = 2.0;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
 
 const int kFoamTaps = 3;
 
@@ -68,7 +70,8 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   float footprint = max(across, length(along) / float(kFoamTaps));
   q -= step * (0.5 * float(kFoamTaps - 1));
   float density = kFoamOpacity * mix(0.6, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age
-  float cover = 0.0, hidden = 0.0, first = 0.0, last = 0.0;
+  float middle = -kWhole / 1.702 * log(1.0 - share) / max(share, 1e-4);  // thickness of what is covered, in the mean
+  float cover = 0.0, hidden = 0.0, shade = 0.0, first = 0.0, last = 0.0;
   int tap = 0;
   do {
     FoamPattern pattern = foamPattern(q, footprint);
@@ -78,6 +81,7 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
     float part = 1.0 / (1.0 + exp(-x));
     float thickness = spread * log(1.0 + exp(x)) / (1.702 * part);
     cover += part;
+    shade += part * clamp(1.0 + kFoamShade * (thickness - middle), 0.3, 1.0 / kFoamAlbedo);
     // Two streams through a layer that absorbs nothing (Bohren 1987), so that a dense core still shows where it is thicker;
     // the mean over what is unresolved to the second order, thickness being Gamma distributed.
     float depth = thickness * density;
@@ -91,6 +95,7 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   Foam foam;
   foam.cover = min(share * 1000.0, 1.0) * cover / float(kFoamTaps);
   foam.opacity = hidden / max(cover, 1e-4);
+  foam.shade = shade / max(cover, 1e-4);
   foam.rise = kFoamHeight * (last - first) * float(kFoamTaps) / (float(kFoamTaps - 1) * max(length(along), 0.01));
   return foam;
 }

@@ -92,7 +92,7 @@ void main() {
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
     vec3 foamLight = sun * max(dot(top, l), 0.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * top.y) + lit.foam;
-    radiance = mix(radiance, foamLight * (kFoamAlbedo / kPi), foam.cover * foam.opacity);
+    radiance = mix(radiance, foamLight * (foam.shade * kFoamAlbedo / kPi), foam.cover * foam.opacity);
   }
   radiance = throughAir(radiance, place, axial * rayLength, 0.0);
   if (kVeiled) {

@@ -69,14 +69,25 @@ PELAGIC_FORMULA float cloudDensityBetween(float a, float b) {
   return abs(b - a) > 1e-3f ? (upTo - from) / (b - a) : 0.5f * (low + high);
 }
 
+// Share of diffuse light that comes down through the cloud above a place that the sun's light, at an elevation of the sine
+// `sunY`, reaches with the transmittance q^4: two streams through drops that absorb nothing, 1/(1 + 3/4 (1 - g) tau) with g = 0.85
+// and tau the vertical optical depth (Bohren 1987).
+PELAGIC_FORMULA float cloudDiffuse(float q, float sunY) {
+  return 1.0f / (1.0f - 0.45f * log(max(q, 1e-7f)) * max(sunY, 0.05f));
+}
+
 // Light toward the eye per irradiance of a sun whose light comes with the transmittance q^4 [1/sr], mu the cosine of the angle
-// between the directions of travel. Drops scatter forward (mean cosine 0.85); what is scattered again is taken as the same
-// light spread wider and taken less (Wrenninge et al. 2013), each order 3/4 of the one before, down to an even rest.
-PELAGIC_FORMULA float cloudScattering(float mu, float q) {
+// between the directions of travel, sunY the sine of its elevation. Drops scatter forward (mean cosine 0.85); what is scattered
+// again is taken as the same light spread wider and taken less (Wrenninge et al. 2013), each order 3/4 of the one before, down to
+// an even rest. Of that a layer would let cloudDiffuse() through, E sin(h) T / pi; clouds that are not layers lose over half by
+// their sides.
+PELAGIC_FORMULA_CONSTANT float kCloudLayered = 0.45f;
+PELAGIC_FORMULA float cloudScattering(float mu, float q, float sunY) {
   float q2 = q * q;
   float once = 0.8f * henyeyGreenstein(mu, 0.85f) + 0.2f * henyeyGreenstein(mu, -0.2f);
   float twice = 0.8f * henyeyGreenstein(mu, 0.5f) + 0.2f * henyeyGreenstein(mu, -0.1f);
-  return once * q2 * q2 + 0.75f * twice * q2 + (0.56f * q + 1.7f * sqrt(q)) / (4.0f * kAirPi);
+  float rest = max(1.7f * sqrt(q), kCloudLayered * min(4.0f * max(sunY, 0.0f), 1.7f) * cloudDiffuse(q, sunY));
+  return once * q2 * q2 + 0.75f * twice * q2 + (0.56f * q + rest) / (4.0f * kAirPi);
 }
 
 PELAGIC_PHYSICS_END

@@ -21,6 +21,13 @@ PELAGIC_FORMULA vec3 waterLeaving(vec3 reflectance) {
   return 0.96f * reflectance / (kWaterIndex * kWaterIndex * 4.0f * (1.0f - 0.48f * reflectance));
 }
 
+// The same of what bubbles below foam add to it: those that a wave has just carried down (freshness 1) send a quarter back, from
+// 1.5 m deep in the mean, and fewer as they rise and the foam ages. Water takes its share on the way down and up, which leaves
+// plumes blue-green in a clear sea (Stramski & Tegowski 2001). Strength and depth are chosen, within what plumes show.
+PELAGIC_FORMULA vec3 plumeLeaving(vec3 absorption, float freshness) {
+  return waterLeaving(0.25f * freshness * exp(-2.0f * 1.5f * absorption));
+}
+
 // How opaque water of a thickness [m] looks that is opaque from `opaqueDepth` [m] on: O_min + (1 - O_min) sqrt(min(t / D, 1)).
 PELAGIC_FORMULA float tintOpacity(float thickness, float leastOpacity, float opaqueDepth) {
   return leastOpacity + (1.0f - leastOpacity) * sqrt(min(thickness / opaqueDepth, 1.0f));

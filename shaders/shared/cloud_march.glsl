@@ -10,12 +10,12 @@ struct CloudsSeen {
   float distance;       // mean, of what is seen of them [m]
 };
 
-// Light of the surroundings within the layer, `height` from base 0 to top 1: the sky above, below the sea and the air over it,
-// which send a tenth back.
-vec3 cloudAmbient(float height) {
+// Light of the surroundings within the layer, `height` from base 0 to top 1: of the sky above what the clouds there let through,
+// from below the sea and the air over it, which send a tenth back.
+vec3 cloudAmbient(float height, float q) {
   vec3 sky = light.skyIrradiance.rgb;
   vec3 sea = 0.1 * (sky + light.sunIrradiance.rgb * max(light.sunDirection.y, 0.0));
-  return (sky * mix(0.35, 1.0, height) + sea * mix(1.0, 0.35, height)) * (0.5 / kAirPi);
+  return (sky * cloudDiffuse(q, light.sunDirection.y) + sea * mix(1.0, 0.35, height)) * (0.5 / kAirPi);
 }
 
 // `d`: unit, `place`: of the eye [tiles], `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
@@ -66,7 +66,7 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
     float middle = clamp(at.z - halfway * d.y / (top - base), 0.0, 1.0);
     float q = 0.5 * (lit + cloud.g);
     q = mix(q, sqrt(q), weather);  // clouds held down are half as deep on the sun's way
-    vec3 source = light.cloudSun.rgb * cloudScattering(mu, q) + cloudAmbient(middle);
+    vec3 source = light.cloudSun.rgb * cloudScattering(mu, q, light.sunDirection.y) + cloudAmbient(middle, q);
     seen.light += taken * source;
     seen.distance += taken * (t - halfway);
     seen.transmittance -= taken;

@@ -150,19 +150,64 @@ TEST_F(CompositeTest, WhatThePixelCannotResolveCountsAsItsExpectedVariance) {
   EXPECT_NEAR(scene.normal[1], 1, 1e-5);
 }
 
-TEST_F(CompositeTest, FreshFoamIsAWhiteLambertSurface) {
-  SyntheticScene scene(gpu(), {8, 8});
-  scene.fillWater(20);
-  scene.foam = 1;
-  scene.light.sunIrradiance = glm::vec4(0.7f);
-  scene.light.sunRadiance = glm::vec4(1);
-  scene.render(device());
-  for (int i = 0; i < 3; ++i) {
-    const double light = 0.7 + std::numbers::pi * scene.sky[static_cast<std::size_t>(i)];
-    EXPECT_LE(scene.radianceAt(4, 4)[i], 0.8 * light / std::numbers::pi);
-    EXPECT_GE(scene.radianceAt(4, 4)[i], 0.6 * light / std::numbers::pi);
+/// Water `step` [m] from pixel to pixel.
+void spread(SyntheticScene& scene, float step) {
+  for (std::size_t i = 0; i < scene.position.size(); ++i) {
+    scene.position[i] =
+        step * glm::vec2(static_cast<float>(i % scene.extent.width), static_cast<float>(i / scene.extent.width));
   }
-  EXPECT_GT(scene.normal[3], 0.9f);
+}
+
+// White in the mean; near by its hollows are darker and its heads brighter, far off it is even.
+TEST_F(CompositeTest, FreshFoamIsAWhiteLambertSurfaceWithARelief) {
+  for (const bool near : {true, false}) {
+    SyntheticScene scene(gpu(), {128, 128});
+    scene.fillWater(near ? 20 : 5000);
+    spread(scene, near ? 0.08f : 20);
+    scene.foam = 1;
+    scene.light.sunIrradiance = glm::vec4(0.7f);
+    scene.light.sunRadiance = glm::vec4(1);
+    scene.render(device());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double white = 0.7 / std::numbers::pi + static_cast<double>(scene.sky[i]);
+      double mean = 0, squares = 0;
+      for (std::size_t at = i; at < scene.radiance.size(); at += 4) {
+        const double shown = static_cast<double>(scene.radiance[at]) / white;
+        EXPECT_LT(shown, 1.02) << "no more than came";
+        mean += shown / (128 * 128);
+        squares += shown * shown / (128 * 128);
+      }
+      EXPECT_GE(mean, 0.6) << near;
+      EXPECT_LE(mean, 0.8) << near;
+      const double deviation = std::sqrt(std::max(squares - mean * mean, 0.0)) / mean;
+      EXPECT_GT(deviation, near ? 0.15 : 0) << near;
+      EXPECT_LT(deviation, near ? 0.35 : 0.02) << near;
+    }
+    EXPECT_GT(scene.normal[3], 0.9f);
+  }
+}
+
+// In water that takes red, foam alone is white; between it green and blue come up from the bubbles below, as much as
+// the water above those lets through.
+TEST_F(CompositeTest, BubblesBelowFoamShowBetweenIt) {
+  SyntheticScene scene(gpu(), {16, 16});
+  scene.fillWater(5000);
+  scene.medium.absorption = glm::vec3(20, 0.2f, 0.05f);
+  scene.render(device());
+  const glm::dvec3 bare = scene.radianceAt(8, 8);
+  scene.foam = 0.3f;
+  scene.render(device());
+  const glm::dvec3 seen = scene.radianceAt(8, 8);
+  const glm::dvec3 sky(scene.sky[0], scene.sky[1], scene.sky[2]), white = 0.78 * sky;
+  const double open = (white.x - seen.x) / (white.x - bare.x);
+  ASSERT_GT(open, 0.5);
+  ASSERT_LT(open, 0.95);
+  const glm::dvec3 entering = std::numbers::pi * (1 - 0.0675) * sky;
+  const glm::dvec3 plume(physics::plumeLeaving(scene.medium.absorption, scene.foam));
+  const glm::dvec3 share = ((seen - (1 - open) * white) / open - bare) / (plume * entering);
+  EXPECT_NEAR(share.y / share.z, 1, 0.02);
+  EXPECT_GT(share.z, 0.3) << "the surface keeps some of it";
+  EXPECT_LT(share.z, 1);
 }
 
 TEST_F(CompositeTest, FoamFarOffIsItsMeanCover) {
@@ -197,9 +242,7 @@ double correlation(const SyntheticScene& scene, std::uint32_t dx, std::uint32_t 
 TEST_F(CompositeTest, OldFoamIsBlownIntoStreaksByAStrongWind) {
   SyntheticScene scene(gpu(), {160, 160});
   scene.fillWater(100);
-  for (std::size_t i = 0; i < scene.position.size(); ++i) {
-    scene.position[i] = 0.6f * glm::vec2(static_cast<float>(i % 160), static_cast<float>(i / 160));
-  }
+  spread(scene, 0.6f);
   scene.foam = 0.3f;
   for (const double direction : {0.0, std::numbers::pi / 2}) {
     scene.waves.windDirection = direction;
@@ -237,9 +280,7 @@ TEST_F(CompositeTest, FoamThinsWithAgeAtEveryDistance) {
   SyntheticScene near(gpu(), {256, 256}), far(gpu(), {16, 16});
   near.fillWater(20);
   far.fillWater(5000);
-  for (std::size_t i = 0; i < near.position.size(); ++i) {
-    near.position[i] = 0.08f * glm::vec2(static_cast<float>(i % 256), static_cast<float>(i / 256));
-  }
+  spread(near, 0.08f);
   near.render(device());
   far.render(device());
   const std::vector<float> bareNear = near.radiance, bareFar = far.radiance;

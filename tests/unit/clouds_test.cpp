@@ -87,14 +87,29 @@ TEST(Clouds, EachOrderOfScatteringCarriesItsShare) {
     for (int i = 0; i < kCount; ++i) {
       const double mu = 2 * (i + 0.5) / kCount - 1;
       sum += 4 * kPi / kCount *
-             static_cast<double>(physics::cloudScattering(static_cast<float>(mu), static_cast<float>(q)));
+             static_cast<double>(physics::cloudScattering(static_cast<float>(mu), static_cast<float>(q), 0));
     }
     return sum;
   };
   EXPECT_NEAR(whole(1), 1 + 0.75 + 0.56 + 1.7, 5e-3);
   EXPECT_NEAR(whole(0.5), std::pow(0.5, 4) + 0.75 * 0.25 + 0.56 * 0.5 + 1.7 * std::sqrt(0.5), 5e-3);
-  EXPECT_EQ(physics::cloudScattering(0.3f, 0), 0);
-  EXPECT_GT(physics::cloudScattering(1, 1), 20 * physics::cloudScattering(-1, 1)) << "forward is where the sun is";
+  EXPECT_EQ(physics::cloudScattering(0.3f, 0, 0), 0);
+  EXPECT_GT(physics::cloudScattering(1, 1, 0.5f), 20 * physics::cloudScattering(-1, 1, 0.5f))
+      << "forward is where the sun is";
+}
+
+TEST(Clouds, LightComesDownThroughThickOnes) {
+  // Of a layer of the vertical depth 20 two streams let 1/(1 + 3/4 * 0.15 * 20) through, wherever the sun stands: on
+  // its way the depth is that over the sine of its elevation.
+  for (const double sunY : {0.35, 0.6, 1.0}) {
+    const auto q = static_cast<float>(std::exp(-5 / sunY)), y = static_cast<float>(sunY);
+    EXPECT_NEAR(static_cast<double>(physics::cloudDiffuse(q, y)), 1 / 3.25, 1e-5) << sunY;
+    // Less than half of what reaches the layer, the same in all directions: radiance times pi.
+    const double down = kPi * static_cast<double>(physics::cloudScattering(0.1f, q, y));
+    EXPECT_NEAR(down, 0.45 * std::min(sunY, 1.7 / 4) / 3.25, 0.01 * sunY) << sunY;
+  }
+  EXPECT_EQ(physics::cloudDiffuse(1, 0.5f), 1);
+  EXPECT_GT(physics::cloudDiffuse(0, 1), 0) << "no depth is too great";
 }
 
 }  // namespace

@@ -28,6 +28,18 @@ TEST(Optics, WaterLeavingRadiance) {
   EXPECT_LT(most * M_PI, 1);
 }
 
+TEST(Optics, BubblesBelowFoamAreSeenThroughTheWaterAboveThem) {
+  const vec3 a{0.465f, 0.0600f, 0.0150f};
+  const vec3 fresh = physics::plumeLeaving(a, 1), old = physics::plumeLeaving(a, 0.3f);
+  for (int i = 0; i < 3; ++i) {
+    const double seen = std::exp(-2 * 1.5 * static_cast<double>(a[i]));
+    const auto leaving = [&](double r) { return 0.96 * r / (1.34 * 1.34 * 4 * (1 - 0.48 * r)); };
+    EXPECT_NEAR(fresh[i], leaving(0.25 * seen), 1e-7);
+    EXPECT_NEAR(old[i], leaving(0.3 * 0.25 * seen), 1e-7);
+  }
+  EXPECT_EQ(physics::plumeLeaving(a, 0), vec3(0));
+}
+
 TEST(Optics, ThinWaterIsLessOpaque) {
   EXPECT_FLOAT_EQ(physics::tintOpacity(0, 0.2f, 4), 0.2f);
   EXPECT_FLOAT_EQ(physics::tintOpacity(1, 0.2f, 4), 0.6f);
