@@ -27,7 +27,7 @@ constexpr gpu::Binding kBindings[] = {
     {10, DescriptorType::eCombinedImageSampler}, {11, DescriptorType::eCombinedImageSampler},
     {12, DescriptorType::eCombinedImageSampler}, {13, DescriptorType::eStorageImage},
     {14, DescriptorType::eStorageImage},         {15, DescriptorType::eStorageImage},
-    {16, DescriptorType::eStorageImage},         {17, DescriptorType::eStorageBuffer},
+    {16, DescriptorType::eStorageImage},         {17, DescriptorType::eUniformTexelBuffer},
     {18, DescriptorType::eCombinedImageSampler}, {19, DescriptorType::eStorageImage},
     {20, DescriptorType::eStorageBuffer},        {21, DescriptorType::eCombinedImageSampler},
     {22, DescriptorType::eCombinedImageSampler},
@@ -69,6 +69,7 @@ struct Composite::Impl {
   gpu::Unique<vk::Sampler> clamp;
   gpu::Unique<vk::Sampler> nearest;
   gpu::Buffer fresnel;
+  gpu::Unique<vk::BufferView> fresnelView;
   gpu::ComputePass resolve;
   std::map<Variant, std::unique_ptr<Passes>> variants;
   std::vector<HostLight> lights;
@@ -126,12 +127,16 @@ Result<Composite> Composite::create(Device& device) {
   impl->clamp = std::move(clamp);
   impl->nearest = std::move(nearest);
 
-  const std::vector<glm::vec4> table = fresnelTable();
-  const std::size_t bytes = table.size() * sizeof(glm::vec4);
-  PELAGIC_TRY(fresnel, gpu::Buffer::create(*impl->context, Stage::composite, "composite fresnel table", bytes,
-                                           vk::BufferUsageFlagBits::eStorageBuffer, gpu::Buffer::Placement::upload));
+  const std::vector<glm::u16vec4> table = fresnelTable();
+  const std::size_t bytes = table.size() * sizeof(table[0]);
+  PELAGIC_TRY(fresnel,
+              gpu::Buffer::create(*impl->context, Stage::composite, "composite fresnel table", bytes,
+                                  vk::BufferUsageFlagBits::eUniformTexelBuffer, gpu::Buffer::Placement::upload));
   std::memcpy(fresnel.mapped(), table.data(), bytes);
   impl->fresnel = std::move(fresnel);
+  PELAGIC_TRY(fresnelView, gpu::createTexelView(*impl->context, "composite fresnel table", impl->fresnel,
+                                                vk::Format::eR16G16B16A16Sfloat));
+  impl->fresnelView = std::move(fresnelView);
   PELAGIC_TRY(resolve,
               gpu::ComputePass::create(
                   *impl->context, {"composite resolve", shaders::composite_resolve_comp, kResolveBindings, 0, {}}));
@@ -216,7 +221,7 @@ void CompositeView::Impl::writeSet(const Composite::Impl& shared, const WaveMaps
   set.storageImage(14, orOutput(targets.normal));
   set.storageImage(15, orOutput(targets.slopeVariance));
   set.storageImage(16, orOutput(targets.mergedDepth));
-  set.buffer(17, shared.fresnel.handle());
+  set.texelBuffer(17, *shared.fresnelView);
   set.sampled(18, waves.gain.view ? waves.gain.view : waves.gradient.view, *shared.nearest);
   set.sampled(21, sky.clouds.view ? sky.clouds.view : sky.radiance.view, *shared.clamp);
   set.sampled(22, sky.cloudShadow.view ? sky.cloudShadow.view : sky.radiance.view, *shared.repeat);

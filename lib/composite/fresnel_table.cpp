@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <composite/fresnel_table.hpp>
+#include <glm/gtc/packing.hpp>
 
 #include "physics/fresnel.glsl"
 #include "physics/ocean_brdf.glsl"
@@ -43,15 +44,15 @@ ReflectingFacets reflectingFacets(double cosView, double deviation) {
   return {sum / weight, first / sum, second / sum - first / sum * (first / sum)};
 }
 
-std::vector<glm::vec4> fresnelTable() {
-  std::vector<glm::vec4> table;
+std::vector<glm::u16vec4> fresnelTable() {
+  std::vector<glm::u16vec4> table;
   table.reserve(physics::kFresnelTableWidth * physics::kFresnelTableHeight);
   for (int j = 0; j < physics::kFresnelTableHeight; ++j) {
     const double y = static_cast<double>(j) / (physics::kFresnelTableHeight - 1);
     for (int i = 0; i < physics::kFresnelTableWidth; ++i) {
       const double x = static_cast<double>(i) / (physics::kFresnelTableWidth - 1);
       const ReflectingFacets facets = reflectingFacets(x * x, physics::kFresnelMaxDeviation * y * y);
-      table.emplace_back(glm::dvec4(facets.reflectance, facets.facing, facets.variance, 0));
+      table.push_back(glm::packHalf(glm::vec4(glm::dvec4(facets.reflectance, facets.facing, facets.variance, 0))));
     }
   }
   return table;

@@ -1,6 +1,7 @@
 /// What the facets of a rough sea mirror, as a table integrated from the exact Fresnel equations.
 #pragma once
 
+#include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct ReflectingFacets {
 /// Seen at `cosView` to the mean normal, for Gaussian slopes with the same `deviation` in every direction [1].
 ReflectingFacets reflectingFacets(double cosView, double deviation);
 
-/// The same as vectors, kFresnelTableWidth x kFresnelTableHeight of them, row by row, laid out as physics/fresnel.glsl
+/// The same as halves, kFresnelTableWidth x kFresnelTableHeight of them, row by row, laid out as physics/fresnel.glsl
 /// says.
-std::vector<glm::vec4> fresnelTable();
+std::vector<glm::u16vec4> fresnelTable();
 
 }  // namespace pelagic

@@ -152,4 +152,13 @@ Result<Unique<vk::Sampler>> createSampler(Context& context, std::string_view nam
   return std::move(sampler.value);
 }
 
+Result<Unique<vk::BufferView>> createTexelView(Context& context, std::string_view name, const Buffer& buffer,
+                                               vk::Format format) {
+  auto view = context.device.createBufferViewUnique(
+      vk::BufferViewCreateInfo({}, buffer.handle(), format, 0, VK_WHOLE_SIZE), context.allocator(), context.dispatch);
+  if (view.result != vk::Result::eSuccess) return fail(view.result, "create the view " + std::string(name));
+  context.name(*view.value, name);
+  return std::move(view.value);
+}
+
 }  // namespace pelagic::gpu

@@ -93,4 +93,8 @@ struct SamplerInfo {
 };
 Result<Unique<vk::Sampler>> createSampler(Context& context, std::string_view name, const SamplerInfo& info);
 
+/// All of a buffer as texels: software devices read vectors of it sooner than from a storage buffer.
+Result<Unique<vk::BufferView>> createTexelView(Context& context, std::string_view name, const Buffer& buffer,
+                                               vk::Format format);
+
 }  // namespace pelagic::gpu

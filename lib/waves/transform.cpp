@@ -32,15 +32,6 @@ std::uint32_t bandOf(const WaveLayout& layout) noexcept {
   return std::min(gpu::groups(modes, kMostRowsPerGroup) * kMostRowsPerGroup, layout.size / 2);
 }
 
-Result<gpu::Unique<vk::BufferView>> texelView(gpu::Context& context, const gpu::Buffer& buffer, vk::Format format,
-                                              std::string_view name) {
-  auto view = context.device.createBufferViewUnique(
-      vk::BufferViewCreateInfo({}, buffer.handle(), format, 0, VK_WHOLE_SIZE), context.allocator(), context.dispatch);
-  if (view.result != vk::Result::eSuccess) return gpu::fail(view.result, "create the view " + std::string(name));
-  context.name(*view.value, name);
-  return std::move(view.value);
-}
-
 }  // namespace
 
 Result<WaveImages> createWaveImages(gpu::Context& context, const WavesInfo& info) {
@@ -120,9 +111,10 @@ Result<void> WaveTransform::createBuffers(gpu::Context& context, const WavesInfo
                                              Usage::eTransferSrc, gpu::Buffer::Placement::upload));
     staging_.push_back(std::move(staging));
   }
-  PELAGIC_TRY(amplitudes, texelView(context, amplitudes_, vk::Format::eR32G32B32A32Sfloat, "waves amplitudes"));
-  PELAGIC_TRY(constants, texelView(context, constants_, vk::Format::eR32G32Uint, "waves mode constants"));
-  PELAGIC_TRY(planes, texelView(context, planes_, vk::Format::eR32G32B32A32Sfloat, "waves rows"));
+  PELAGIC_TRY(amplitudes,
+              gpu::createTexelView(context, "waves amplitudes", amplitudes_, vk::Format::eR32G32B32A32Sfloat));
+  PELAGIC_TRY(constants, gpu::createTexelView(context, "waves mode constants", constants_, vk::Format::eR32G32Uint));
+  PELAGIC_TRY(planes, gpu::createTexelView(context, "waves rows", planes_, vk::Format::eR32G32B32A32Sfloat));
   amplitudesView_ = std::move(amplitudes);
   constantsView_ = std::move(constants);
   planesView_ = std::move(planes);

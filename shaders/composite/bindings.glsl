@@ -33,7 +33,7 @@ layout(binding = 16) uniform writeonly image2D mergedDepthImage;
 layout(binding = 18) uniform sampler2DArray gainMap;
 layout(binding = 21) uniform sampler2D cloudPicture;
 layout(binding = 22) uniform sampler2D cloudShadow;
-layout(binding = 17, std430) readonly buffer Fresnel { vec4 fresnelTable[]; };
+layout(binding = 17) uniform samplerBuffer fresnelTable;
 
 // Largest value written: half floats end at 65504.
 const float kLargestRadiance = 60000.0;

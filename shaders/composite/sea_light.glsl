@@ -12,8 +12,8 @@ vec3 reflectingFacets(float cosView, float deviation) {
   ivec2 low = min(ivec2(place), ivec2(kFresnelTableWidth - 2, kFresnelTableHeight - 2));
   vec2 f = place - vec2(low);
   int i = low.y * kFresnelTableWidth + low.x, j = i + kFresnelTableWidth;
-  return mix(mix(fresnelTable[i].xyz, fresnelTable[i + 1].xyz, f.x), mix(fresnelTable[j].xyz, fresnelTable[j + 1].xyz, f.x),
-             f.y);
+  vec3 near = mix(texelFetch(fresnelTable, i).xyz, texelFetch(fresnelTable, i + 1).xyz, f.x);
+  return mix(near, mix(texelFetch(fresnelTable, j).xyz, texelFetch(fresnelTable, j + 1).xyz, f.x), f.y);
 }
 
 // Place of a stereographic direction in the environment map; below the horizon, the horizon.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <composite/fresnel_table.hpp>
+#include <glm/gtc/packing.hpp>
 
 #include "physics/fresnel.glsl"
 
@@ -48,14 +49,16 @@ glm::dvec3 meanReflection(double cosView, double along, double across) {
 }
 double meanReflectance(double cosView, double along, double across) { return meanReflection(cosView, along, across).x; }
 
-glm::vec4 tableAt(const std::vector<glm::vec4>& table, float cosView, float deviation) {
+glm::vec4 tableAt(const std::vector<glm::u16vec4>& table, float cosView, float deviation) {
   const glm::vec2 place = physics::fresnelTablePlace(cosView, deviation);
   const int i = std::min(static_cast<int>(place.x), physics::kFresnelTableWidth - 2);
   const int j = std::min(static_cast<int>(place.y), physics::kFresnelTableHeight - 2);
   const glm::vec2 f = place - glm::vec2(i, j);
-  const glm::vec4* entry = table.data() + j * physics::kFresnelTableWidth + i;
-  const glm::vec4 low = glm::mix(entry[0], entry[1], f.x);
-  const glm::vec4 high = glm::mix(entry[physics::kFresnelTableWidth], entry[physics::kFresnelTableWidth + 1], f.x);
+  const auto entry = [&](int k) {
+    return glm::unpackHalf(table[static_cast<std::size_t>(j * physics::kFresnelTableWidth + i + k)]);
+  };
+  const glm::vec4 low = glm::mix(entry(0), entry(1), f.x);
+  const glm::vec4 high = glm::mix(entry(physics::kFresnelTableWidth), entry(physics::kFresnelTableWidth + 1), f.x);
   return glm::mix(low, high, f.y);
 }
 
