@@ -27,19 +27,23 @@ vec3 skyRadiance(vec2 place) { return textureLod(radianceMap, place, 0.0).rgb; }
 // Of the horizon at the same azimuth.
 vec3 horizonRadiance(vec2 place) { return skyRadiance(vec2(place.x, 0.5 + 0.5 / float(textureSize(radianceMap, 0).y))); }
 
-// Light of the clouds that a pixel shows, and the transmittance for what is behind them. Their picture is coarser: a cubic
-// B-spline between its pixels, as four bilinear samples (Sigg & Hadwiger 2005), leaves no steps.
+// Light of the clouds that a pixel shows, and the transmittance for what is behind them. Their picture is coarser: a Catmull-Rom
+// spline between its pixels keeps their edges without steps, as five bilinear samples; the corners' weights are left out.
 vec4 cloudsBefore(ivec2 pixel) {
   if (!kHasClouds) return vec4(0, 0, 0, 1);
   vec2 size = vec2(textureSize(cloudPicture, 0));
   vec2 at = (vec2(pixel) + 0.5) / float(kCloudPixels) - 0.5;
-  vec2 f = fract(at), g = 1.0 - f;
-  vec2 first = g * g * g / 6.0, last = f * f * f / 6.0;
-  vec2 second = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f), third = 1.0 - first - second - last;
-  vec2 low = first + second, high = third + last;
-  vec2 a = (floor(at) - 0.5 + second / low) / size, b = (floor(at) + 1.5 + last / high) / size;
-  return low.y * (low.x * textureLod(cloudPicture, a, 0.0) + high.x * textureLod(cloudPicture, vec2(b.x, a.y), 0.0)) +
-         high.y * (low.x * textureLod(cloudPicture, vec2(a.x, b.y), 0.0) + high.x * textureLod(cloudPicture, b, 0.0));
+  vec2 f = fract(at), low = floor(at) + 0.5;
+  vec2 first = f * (f * (1.0 - 0.5 * f) - 0.5), last = f * f * (0.5 * f - 0.5), third = f * (0.5 + f * (2.0 - 1.5 * f));
+  vec2 inner = 1.0 - first - last;
+  vec2 middle = (low + third / inner) / size, before = (low - 1.0) / size, after = (low + 2.0) / size;
+  vec4 sum = inner.x * inner.y * textureLod(cloudPicture, middle, 0.0);
+  sum += inner.x * first.y * textureLod(cloudPicture, vec2(middle.x, before.y), 0.0);
+  sum += inner.x * last.y * textureLod(cloudPicture, vec2(middle.x, after.y), 0.0);
+  sum += first.x * inner.y * textureLod(cloudPicture, vec2(before.x, middle.y), 0.0);
+  sum += last.x * inner.y * textureLod(cloudPicture, vec2(after.x, middle.y), 0.0);
+  float whole = 1.0 - (first.x + last.x) * (first.y + last.y);
+  return clamp(sum / whole, vec4(0), vec4(vec3(kLargestRadiance), 1));
 }
 
 // Share of a pixel of the angular size `pixel` [rad] that lies in a disc of the angular radius `radius` around `centre`. A
