@@ -193,6 +193,8 @@ Fields lightFields(Scene& scene) {
       lightField(scene.lights),
       colorField("absorption", "Absorption of the water", {1e-4, 100, "1/m"}, scene.medium.absorption),
       colorField("backscatter", "Backscattering of the water", {0, 100, "1/m"}, scene.medium.backscatter),
+      numberField("slicks", "X", "How far slicks and gusts vary the slope variance of ripples, deviation over mean",
+                  {0, 0.5, ""}, scene.medium.slicks),
       {"look", "NAME", "How the colour of the water is found: " + lookNames(),
        [&scene](const std::string& where, const std::vector<std::string>& texts) {
          scene.medium.look = parseLook(where, texts.front());

@@ -150,6 +150,7 @@ void drawWater(pelagic::WaterMedium& medium, Changes& changes) {
     changes.water |= slide(absorption[i], medium.absorption[i], 1e-4, 100, "%.4f");
     changes.water |= slide(backscatter[i], medium.backscatter[i], 0, 100, "%.4f");
   }
+  changes.water |= slide("Slicks", medium.slicks, 0, 0.5);
   for (const auto& [name, look] : pelagic::waterLooks()) {
     if (ImGui::RadioButton(std::string(name).c_str(), medium.look == look)) {
       medium.look = look;

@@ -37,11 +37,17 @@ struct NamedWaterLook {
 };
 std::span<const NamedWaterLook> waterLooks() noexcept;
 
-/// The water below the surface, per channel at about 680, 550 and 440 nm. Defaults: the open ocean between
-/// Jerlov's types IB and II: pure sea water with a little yellow substance and particles.
+/// The water below the surface and what floats on it, per channel at about 680, 550 and 440 nm. Defaults: the open
+/// ocean between Jerlov's types IB and II: pure sea water with a little yellow substance and particles.
 struct WaterMedium {
   glm::vec3 absorption{0.470f, 0.0680f, 0.0450f};    ///< a [1/m], 1e-4 … 100.
   glm::vec3 backscatter{0.0017f, 0.0022f, 0.0030f};  ///< b_b [1/m], 0 … 100.
+  /// Standard deviation of the slope variance of short waves, of less than 1.5 m, over its mean [1], 0 … 0.5: films of
+  /// oil gather into slicks, where there are hardly any ripples, and stay until the wind stirs them in at about 7 m/s
+  /// (Romano 1996); gusts roughen the sea between. In bands along the wind, 16, 64 and 256 m wide, which stay where
+  /// they are; in the light alone, in the mean over the sea its variance is the same. 0: the sea is as rough
+  /// everywhere.
+  double slicks = 0;
   WaterLook look;
 };
 Result<void> validate(const WaterMedium& medium);

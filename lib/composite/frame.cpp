@@ -120,6 +120,8 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const WaterBuffer& 
   // Twice the period along the wind, where the pattern is drawn out by two.
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
+  const double slickPeriod = static_cast<double>(shader::kSlickPeriod);
+  frame.slicks = glm::vec4(glm::dvec4(along - slickPeriod * glm::floor(along / slickPeriod), medium.slicks, 0));
   for (const HostLight& light : lights) setLight(light, camera.position, water.planetRadius, frame);
   frame.planetRadius = radius;
   setResolved(waves, frame);

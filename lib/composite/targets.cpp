@@ -55,6 +55,7 @@ Result<void> validate(const WaterMedium& medium) {
     PELAGIC_CHECK(gpu::check("WaterLook::", {{"deep" + channel, look.deep[i], 0, 1, "0 to 1"},
                                              {"shallow" + channel, look.shallow[i], 0, 1, "0 to 1"}}));
   }
+  PELAGIC_CHECK(gpu::check("WaterMedium::", {{"slicks", medium.slicks, 0, 0.5, "0 to 0.5"}}));
   PELAGIC_CHECK(
       gpu::check("WaterLook::", {{"shallowness", look.shallowness, 0, 1, "0 to 1"},
                                  {"leastOpacity", look.leastOpacity, 0, 1, "0 to 1"},

@@ -37,6 +37,27 @@ float foamLane(vec2 p, float side) {
   return 0.5 + 0.6 * clamp(1.5 - side / 16.0, 0.0, 1.0) * wide + 0.4 * clamp(1.5 - side / 4.0, 0.0, 1.0) * narrow;
 }
 
+// Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 16, 64 and 256 m wide and four
+// times as long, as far as the footprint `side` [m] resolves them.
+float slickVariance(vec2 p, float side) {
+  const float kDeviation = 0.371;  // of the three octaves
+  vec2 wind = frame.foam.zw;
+  vec2 q = (frame.slicks.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(1.0 / 64.0, 1.0 / 16.0);
+  uvec2 cells = uvec2(uint(kSlickPeriod) / 64u, uint(kSlickPeriod) / 16u);
+  float width = 16.0, sum = 0.0;
+  do {
+    sum += clamp(1.5 - 2.0 * side / width, 0.0, 1.0) * (latticeNoise(q, cells) - 0.5);
+    width *= 4.0;
+    q = 0.25 * q + 17.3;
+    cells >>= 2u;
+  } while (width < 300.0);
+  return clamp(1.0 + frame.slicks.z / kDeviation * sum, 0.1, 1.9);
+}
+
+// Cascades of shorter patches [m] hold the waves that slicks calm, shorter than 1.5 m.
+const float kSlickPatch = 24.0;
+float slickOn(uint cascade, float slick) { return frame.waves.placement[cascade].w < kSlickPatch ? slick : 1.0; }
+
 // Freshness of a cascade's foam at a place in its patch. Far off, where a patch is seen many times over and the eye does not
 // find the crest that broke, every patch has its foam elsewhere: few spots laid out alike would show what the warp hides.
 float foamFreshness(uint cascade, vec2 uv, float side, float across) {
@@ -77,6 +98,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   float lane = 0.5;
   float endLod = log2(float(frame.waves.size) * kLongestWave);
   vec2 q = p + waveWarp(frame.waves.warp, p);
+  float slick = slickVariance(p, side);
   uint c = 0u;
   do {
     vec4 placement = frame.waves.placement[c];
@@ -98,7 +120,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     float lost = 1.0 - power + power * smoothed;
     // Shorter waves by the longer ones they ride on, which the Jacobian below shortens besides.
     float together = -(gradient.z + gradient.w);
-    float variance = shortWaveVariance(together);
+    float variance = shortWaveVariance(together) * slickOn(c, slick);
     float shown = kept * sqrt(variance) * (1.0 - min(together, kMostPushedTogether));
     float gain = gainAt(p, c);
     gradient += gain * (shown * g);
@@ -110,7 +132,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   float variance = shortWaveVariance(-(gradient.z + gradient.w));
   for (; c < frame.waves.cascades; ++c) {
     float gain = gainAt(p, c);
-    precise vec3 left = variance * frame.waves.slopeCovariance[c].xyz;
+    precise vec3 left = variance * slickOn(c, slick) * frame.waves.slopeCovariance[c].xyz;
     moments.xyz += gain * gain * left;
     if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   }
@@ -154,7 +176,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
   sea.normal = normalize(vec3(-sea.slope.x, 1, -sea.slope.y));
   // Waves that no cascade holds are like the shortest that one does.
   float shortest = gainAt(p, frame.waves.cascades - 1u);
-  precise vec3 tail = variance * frame.waves.unresolved.xyz;
+  precise vec3 tail = variance * slick * frame.waves.unresolved.xyz;
   sea.residual = moments.xyz + shortest * shortest * tail;
   if (kGain) all += (shortest * shortest - 1.0) * frame.waves.unresolved.xyz;
   sea.all = vec4(all, frame.slopes.w);

@@ -27,14 +27,17 @@ vec3 skyRadiance(vec2 place) { return textureLod(radianceMap, place, 0.0).rgb; }
 // Of the horizon at the same azimuth.
 vec3 horizonRadiance(vec2 place) { return skyRadiance(vec2(place.x, 0.5 + 0.5 / float(textureSize(radianceMap, 0).y))); }
 
-// Light of the clouds that a pixel shows, and the transmittance for what is behind them. Their picture is coarser: a Catmull-Rom
-// spline between its pixels keeps their edges without steps, as five bilinear samples; the corners' weights are left out.
+// Light of the clouds that a pixel shows, and the transmittance for what is behind them. Their picture is coarser: a cubic
+// filter between its pixels, neither blurred nor ringing (Mitchell & Netravali 1988), as five bilinear samples; the corners'
+// weights are left out.
 vec4 cloudsBefore(ivec2 pixel) {
   if (!kHasClouds) return vec4(0, 0, 0, 1);
   vec2 size = vec2(textureSize(cloudPicture, 0));
   vec2 at = (vec2(pixel) + 0.5) / float(kCloudPixels) - 0.5;
   vec2 f = fract(at), low = floor(at) + 0.5;
-  vec2 first = f * (f * (1.0 - 0.5 * f) - 0.5), last = f * f * (0.5 * f - 0.5), third = f * (0.5 + f * (2.0 - 1.5 * f));
+  vec2 g = 1.0 - f;
+  vec2 first = 1.0 / 18.0 + f * (f * (15.0 - 7.0 * f) - 9.0) / 18.0, last = 1.0 / 18.0 + g * (g * (15.0 - 7.0 * g) - 9.0) / 18.0;
+  vec2 third = 8.0 / 9.0 - g * g * (12.0 - 7.0 * g) / 6.0;
   vec2 inner = 1.0 - first - last;
   vec2 middle = (low + third / inner) / size, before = (low - 1.0) / size, after = (low + 2.0) / size;
   vec4 sum = inner.x * inner.y * textureLod(cloudPicture, middle, 0.0);

@@ -22,6 +22,9 @@ PELAGIC_SHADER_CONSTANT uint kTileListStart = 20u;
 // The foam pattern repeats after this many metres across the wind and twice as many along it.
 PELAGIC_SHADER_CONSTANT float kFoamPeriod = 512.0f;
 
+// The pattern of slicks repeats after this many metres.
+PELAGIC_SHADER_CONSTANT float kSlickPeriod = 32768.0f;
+
 // Bits of the shaded picture's alpha: the surface breaks off between a pixel and its neighbour.
 PELAGIC_SHADER_CONSTANT uint kEdgeLeft = 1u;
 PELAGIC_SHADER_CONSTANT uint kEdgeRight = 2u;
@@ -47,7 +50,8 @@ struct CompositeFrame {
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
   vec4 lookAlbedo;   // the same that the look turns to; w: how far with the angle of view
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
-  uint width;        // of the view [px]
+  vec4 slicks;  // xy: the eye's place in the pattern of slicks [m]; z: deviation of short waves' slope variance in it
+  uint width;   // of the view [px]
   uint height;
   uint tiles;                            // capacity of each list
   float nearer;                          // 1: greater depth is nearer, -1: less is

@@ -46,6 +46,7 @@ const std::vector<cli::Bad>& badPicture() {
         "0,9,0,1,0,0,0,9.5,0,1,1,1"},
        "half a width and half a height of 0.001 to 10000 m at right angles, no corner below 0 m"},
       {"--planet-radius", {"99", "100001", "-6371", "nan", "''"}, "100 to 100000 km"},
+      {"--slicks", {"-0.1", "0.6", "nan"}, "0 to 0.5"},
       {"--absorption", {"0,0,0", "1,1", "1,1,101", "''"}, "0.0001 to 100 1/m"},
       {"--backscatter", {"-1,0,0", "nan,0,0", "''"}, "0 to 100 1/m"},
       {"--look", {"blue", "Natural", "''"}, "natural, turquoise, glassy, painted"},

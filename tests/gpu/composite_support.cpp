@@ -186,6 +186,12 @@ float SyntheticScene::depthAt(float w) const {
   return p[2][2] / p[2][3] + p[3][2] / w;
 }
 
+void SyntheticScene::spread(float step) {
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    position[i] = step * glm::vec2(static_cast<float>(i % extent.width), static_cast<float>(i / extent.width));
+  }
+}
+
 void SyntheticScene::fillWater(float w) {
   std::fill(body.begin(), body.end(), std::uint8_t{1});
   std::fill(depth.begin(), depth.end(), depthAt(w));

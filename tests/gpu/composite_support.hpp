@@ -39,6 +39,8 @@ class SyntheticScene {
 
   /// Fills the whole view with water at the axial distance w [m].
   void fillWater(float w);
+  /// Lets pixels lie `step` apart on the undisplaced sea [m].
+  void spread(float step);
   float depthAt(float w) const;
   void render(pelagic::Device& device);
 
