@@ -121,7 +121,9 @@ shader::CompositeFrame compositeFrame(const WaveMaps& waves, const WaterBuffer& 
   const glm::dvec2 period = glm::dvec2(2, 1) * static_cast<double>(shader::kFoamPeriod);
   frame.foam = glm::vec4(glm::dvec4(along - period * glm::floor(along / period), wind));
   const double slickPeriod = static_cast<double>(shader::kSlickPeriod);
-  frame.slicks = glm::vec4(glm::dvec4(along - slickPeriod * glm::floor(along / slickPeriod), medium.slicks, 0));
+  const bool natural = medium.look.law == WaterLook::Law::medium;
+  frame.slicks =
+      glm::vec4(glm::dvec4(along - slickPeriod * glm::floor(along / slickPeriod), medium.slicks, natural ? 1 : 0));
   for (const HostLight& light : lights) setLight(light, camera.position, water.planetRadius, frame);
   frame.planetRadius = radius;
   setResolved(waves, frame);

@@ -58,7 +58,7 @@ vec3 bodyLight(SeaPoint sea, vec3 v, vec3 l, vec3 entering, vec3 behind) {
   vec3 through = mix(frame.thickCrest.rgb, frame.thinCrest.rgb, sharp);
   float angle = acos(clamp(dot(v, sea.normal), 0.0, 1.0)) / (0.5 * kPi);
   vec3 albedo = mix(frame.waterAlbedo.rgb, frame.lookAlbedo.rgb, frame.lookAlbedo.w * angle);
-  if (kFoaming) albedo += plumeLeaving(frame.absorption.rgb, sea.foam);
+  if (kFoaming) albedo += frame.slicks.w * plumeLeaving(frame.absorption.rgb, sea.foam);
   return albedo * entering * (1.0 - frame.crestsHide * sharp * against * through) + behind * (0.35 * sharp * against) * through;
 }
 

@@ -54,7 +54,7 @@ float slickVariance(vec2 p, float side) {
   return clamp(1.0 + frame.slicks.z / kDeviation * sum, 0.1, 1.9);
 }
 
-// Cascades of shorter patches [m] hold the waves that slicks calm, shorter than 1.5 m.
+// Cascades of shorter patches [m] hold the waves that slicks calm, shorter than 1.5 m (kLongestWave).
 const float kSlickPatch = 24.0;
 float slickOn(uint cascade, float slick) { return frame.waves.placement[cascade].w < kSlickPatch ? slick : 1.0; }
 

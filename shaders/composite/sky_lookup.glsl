@@ -28,8 +28,8 @@ vec3 skyRadiance(vec2 place) { return textureLod(radianceMap, place, 0.0).rgb; }
 vec3 horizonRadiance(vec2 place) { return skyRadiance(vec2(place.x, 0.5 + 0.5 / float(textureSize(radianceMap, 0).y))); }
 
 // Light of the clouds that a pixel shows, and the transmittance for what is behind them. Their picture is coarser: a cubic
-// filter between its pixels, neither blurred nor ringing (Mitchell & Netravali 1988), as five bilinear samples; the corners'
-// weights are left out.
+// filter between its pixels, a compromise of blur and ringing (Mitchell & Netravali 1988, B = C = 1/3), as five bilinear samples;
+// the corners' weights are left out, and what its negative lobes make is clamped.
 vec4 cloudsBefore(ivec2 pixel) {
   if (!kHasClouds) return vec4(0, 0, 0, 1);
   vec2 size = vec2(textureSize(cloudPicture, 0));

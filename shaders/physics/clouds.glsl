@@ -71,16 +71,17 @@ PELAGIC_FORMULA float cloudDensityBetween(float a, float b) {
 
 // Share of diffuse light that comes down through the cloud above a place that the sun's light, at an elevation of the sine
 // `sunY`, reaches with the transmittance q^4: two streams through drops that absorb nothing, 1/(1 + 3/4 (1 - g) tau) with g = 0.85
-// and tau the vertical optical depth (Bohren 1987).
+// and tau the vertical optical depth (Bohren 1987). The sun's way is followed for 6 thicknesses of the layer: of a lower sun's,
+// along the layer, a sixth is taken for the depth above.
 PELAGIC_FORMULA float cloudDiffuse(float q, float sunY) {
-  return 1.0f / (1.0f - 0.45f * log(max(q, 1e-7f)) * max(sunY, 0.05f));
+  return 1.0f / (1.0f - 0.45f * log(max(q, 1e-7f)) * max(sunY, 1.0f / 6.0f));
 }
 
 // Light toward the eye per irradiance of a sun whose light comes with the transmittance q^4 [1/sr], mu the cosine of the angle
 // between the directions of travel, sunY the sine of its elevation. Drops scatter forward (mean cosine 0.85); what is scattered
 // again is taken as the same light spread wider and taken less (Wrenninge et al. 2013), each order 3/4 of the one before, down to
-// an even rest. Of that a layer would let cloudDiffuse() through, E sin(h) T / pi; clouds that are not layers lose over half by
-// their sides.
+// an even rest. Through a layer would come cloudDiffuse() of the sun's light, E sin(h) T / pi; clouds that are not layers lose
+// over half of it by their sides. It is no more than the even rest at the top.
 PELAGIC_FORMULA_CONSTANT float kCloudLayered = 0.45f;
 PELAGIC_FORMULA float cloudScattering(float mu, float q, float sunY) {
   float q2 = q * q;

@@ -49,7 +49,7 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
       at = vec3(place + d.xz * (t / kCloudTile), (h - base) / (top - base));
       cloud = textureLod(volume, at, 0).rg;
       cloud.r -= weather;
-      // Half a pixel's width, where the field changes by 1 in twice its least way; it has a deviation of 1.
+      // A pixel's width, where the field changes by 1 in twice its least way; it has a deviation of 1.
       blur = min(0.5 * pixel * t / kFieldScale, 0.5);
       // Far off, steps grow with the distance.
       least = min(max(finest, min(kFarther * t, 0.25 * most)), coarsest);

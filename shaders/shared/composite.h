@@ -50,8 +50,10 @@ struct CompositeFrame {
   vec4 waterAlbedo;  // radiance that leaves the water per irradiance that enters it [1/sr]; w: pixel's side at w = 1
   vec4 lookAlbedo;   // the same that the look turns to; w: how far with the angle of view
   vec4 foam;         // xy: the eye's place in the foam pattern [m], zw: the wind's direction
-  vec4 slicks;  // xy: the eye's place in the pattern of slicks [m]; z: deviation of short waves' slope variance in it
-  uint width;   // of the view [px]
+  // xy: the eye's place in the pattern of slicks [m]; z: deviation of short waves' slope variance in it; w: 1: bubbles
+  // below foam are seen, 0: the water has the colour of a look
+  vec4 slicks;
+  uint width;  // of the view [px]
   uint height;
   uint tiles;                            // capacity of each list
   float nearer;                          // 1: greater depth is nearer, -1: less is

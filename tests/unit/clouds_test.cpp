@@ -108,6 +108,10 @@ TEST(Clouds, LightComesDownThroughThickOnes) {
     const double down = kPi * static_cast<double>(physics::cloudScattering(0.1f, q, y));
     EXPECT_NEAR(down, 0.45 * std::min(sunY, 1.7 / 4) / 3.25, 0.01 * sunY) << sunY;
   }
+  // A sun at the horizon or below: six times the depth along the layer.
+  for (const float sunY : {0.1f, 0.02f, -0.01f}) {
+    EXPECT_NEAR(static_cast<double>(physics::cloudDiffuse(std::exp(-15.f), sunY)), 1 / (1 + 0.1125 * 10), 1e-4) << sunY;
+  }
   EXPECT_EQ(physics::cloudDiffuse(1, 0.5f), 1);
   EXPECT_GT(physics::cloudDiffuse(0, 1), 0) << "no depth is too great";
 }
