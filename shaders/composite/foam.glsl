@@ -1,6 +1,7 @@
 // Foam: a dense core where a crest breaks, torn to lace and drawn out along the wind as it ages, a film of bubbles in the end.
 #ifndef PELAGIC_COMPOSITE_FOAM_GLSL
 #define PELAGIC_COMPOSITE_FOAM_GLSL
+#include "composite/sea_slopes.glsl"
 #include "physics/noise.glsl"
 
 // The foam's texture: a field of ridges that close into cells, so that what stands above a high level is lace.
@@ -55,8 +56,7 @@ const int kFoamTaps = 3;
 // from the eye and `across`: taps in a row, each as wide as its part of the longer side. `lane`: how far old foam gathers here.
 Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   const float kEdge = 0.03;  // softness of an edge near by
-  vec2 wind = frame.foam.zw;
-  vec2 q = (frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(0.5, 1.0);
+  vec2 q = (frame.foam.xy + alongWind(p)) * vec2(0.5, 1.0);
   // In a strong wind older foam gathers in streaks along it.
   float gathered = mix(1.0, max(4.0 * lane - 1.0, 0.0), frame.thinCrest.w);
   float aged = clamp(freshness * gathered, 0.0, 1.0);
@@ -66,7 +66,7 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
 
   // Torn, where the lanes' field is steep.
   q += vec2(3.0, 0.7) * lane;
-  vec2 step = vec2(dot(along, wind), dot(along, vec2(-wind.y, wind.x))) * vec2(0.5, 1.0) / float(kFoamTaps);
+  vec2 step = alongWind(along) * vec2(0.5, 1.0) / float(kFoamTaps);
   float footprint = max(across, length(along) / float(kFoamTaps));
   q -= step * (0.5 * float(kFoamTaps - 1));
   float density = kFoamOpacity * mix(0.6, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age

@@ -27,11 +27,16 @@ struct SeaPoint {
 // Of the foam of a freshness, what is breaking now and stays on its crest. The rest is old.
 float breakingFoam(float freshness) { return freshness * smoothstep(0.5, 0.9, freshness); }
 
+// A vector of the sea in the wind's frame: along it and across.
+vec2 alongWind(vec2 p) {
+  vec2 wind = frame.foam.zw;
+  return vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)));
+}
+
 // Where the wind gathers old foam, 0 ... 1, a half in the mean: lanes along it 4 and 16 m wide and eight times as long, as far
 // as the footprint `side` [m] resolves them.
 float foamLane(vec2 p, float side) {
-  vec2 wind = frame.foam.zw;
-  vec2 q = frame.foam.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)));
+  vec2 q = frame.foam.xy + alongWind(p);
   float wide = latticeNoise(q * vec2(1.0 / 128.0, 1.0 / 16.0), uvec2(8u, 32u)) - 0.5;
   float narrow = latticeNoise(q * vec2(1.0 / 32.0, 1.0 / 4.0), uvec2(32u, 128u)) - 0.5;
   return 0.5 + 0.6 * clamp(1.5 - side / 16.0, 0.0, 1.0) * wide + 0.4 * clamp(1.5 - side / 4.0, 0.0, 1.0) * narrow;
@@ -41,8 +46,7 @@ float foamLane(vec2 p, float side) {
 // times as long, as far as the footprint `side` [m] resolves them.
 float slickVariance(vec2 p, float side) {
   const float kDeviation = 0.371;  // of the three octaves
-  vec2 wind = frame.foam.zw;
-  vec2 q = (frame.slicks.xy + vec2(dot(p, wind), dot(p, vec2(-wind.y, wind.x)))) * vec2(1.0 / 64.0, 1.0 / 16.0);
+  vec2 q = (frame.slicks.xy + alongWind(p)) * vec2(1.0 / 64.0, 1.0 / 16.0);
   uvec2 cells = uvec2(uint(kSlickPeriod) / 64u, uint(kSlickPeriod) / 16u);
   float width = 16.0, sum = 0.0;
   do {
