@@ -42,13 +42,13 @@ float foamLane(vec2 p, float side) {
   return 0.5 + 0.6 * clamp(1.5 - side / 16.0, 0.0, 1.0) * wide + 0.4 * clamp(1.5 - side / 4.0, 0.0, 1.0) * narrow;
 }
 
-// Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 16, 64 and 256 m wide and four
-// times as long, as far as the footprint `side` [m] resolves them.
+// Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 4, 16, 64 and 256 m wide and
+// four times as long, as far as the footprint `side` [m] resolves them.
 float slickVariance(vec2 p, float side) {
-  const float kDeviation = 0.371;  // of the three octaves
-  vec2 q = (frame.slicks.xy + alongWind(p)) * vec2(1.0 / 64.0, 1.0 / 16.0);
-  uvec2 cells = uvec2(uint(kSlickPeriod) / 64u, uint(kSlickPeriod) / 16u);
-  float width = 16.0, sum = 0.0;
+  const float kDeviation = 0.428;  // of the four octaves
+  vec2 q = (frame.slicks.xy + alongWind(p)) * vec2(1.0 / 16.0, 1.0 / 4.0);
+  uvec2 cells = uvec2(uint(kSlickPeriod) / 16u, uint(kSlickPeriod) / 4u);
+  float width = 4.0, sum = 0.0;
   do {
     sum += clamp(1.5 - 2.0 * side / width, 0.0, 1.0) * (latticeNoise(q, cells) - 0.5);
     width *= 4.0;

@@ -16,7 +16,7 @@ class CompositeSlicksTest : public support::GpuTest {
   /// apart.
   SyntheticScene makeScene() {
     SyntheticScene scene(gpu(), {kSide, kSide});
-    scene.fillWater(20);
+    scene.fillWater(4);
     scene.spread(60);
     scene.waves.slopeCovariance[0] = {0.01, 0.01, 0};
     scene.moments = {0.01f, 0.01f, 0, 0};

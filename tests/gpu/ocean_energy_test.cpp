@@ -31,8 +31,9 @@ glm::dvec3 farRadiance(const Drawn& drawn) {
   return sum / static_cast<double>((row(kLast) - row(kFirst)) * drawn.extent.width);
 }
 
-// High sun, low sun, clouds, light wind.
-constexpr const char* kLights[] = {"trade-wind", "sunset-glitter", "overcast-swell", "noon-calm"};
+// The scenes, but the one from 10 km and the storm, whose waves stand as high as this eye.
+constexpr const char* kLights[] = {"trade-wind", "fresh-overcast", "gale",      "overcast-swell",
+                                   "calm-dawn",  "sunset-glitter", "noon-calm", "moonlit"};
 constexpr VkExtent2D kSmallest{160, 90};
 
 glm::dvec3 OceanEnergyTest::onSheetOf(float edge, const char* name, const pelagic::GainMap& gain, const Edit& edit) {

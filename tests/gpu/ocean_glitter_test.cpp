@@ -9,7 +9,11 @@ namespace {
 using support::Drawn;
 using support::OceanScene;
 
-constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast", "calm-dawn", "noon-calm"};
+constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
+                                   "calm-dawn",  "noon-calm",      "moonlit"};
+// Their far crests stand before each other within a pixel, of which it shows one: a zoom changes that more than near
+// ripples, a pan does not.
+constexpr const char* kHighSeas[] = {"gale", "storm", "overcast-swell"};
 constexpr VkExtent2D kExtent{320, 180};
 constexpr double kAspect = 1.0 * kExtent.width / kExtent.height;
 
@@ -104,6 +108,9 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInASlowPan) {
   };
   for (const char* name : kScenes) {
     EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.18) << name;
+  }
+  for (const char* name : kHighSeas) {
+    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.35) << name;
   }
 }
 
