@@ -45,7 +45,7 @@ float foamLane(vec2 p, float side) {
 // Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 4, 16, 64 and 256 m wide and
 // four times as long, as far as the footprint `side` [m] resolves them.
 float slickVariance(vec2 p, float side) {
-  const float kDeviation = 0.428;  // of the four octaves
+  const float kDeviation = 0.429;  // of the four octaves
   vec2 q = (frame.slicks.xy + alongWind(p)) * vec2(1.0 / 16.0, 1.0 / 4.0);
   uvec2 cells = uvec2(uint(kSlickPeriod) / 16u, uint(kSlickPeriod) / 4u);
   float width = 4.0, sum = 0.0;
