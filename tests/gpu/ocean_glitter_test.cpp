@@ -11,8 +11,8 @@ using support::OceanScene;
 
 constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
                                    "calm-dawn",  "noon-calm",      "moonlit"};
-// Their far crests stand before each other within a pixel, of which it shows one: a zoom changes that more than near
-// ripples, 1.4 to 1.6 times; a pan does not.
+// A zoom changes their far water 1.4 to 1.6 times as much as the near, likely since far crests stand before each other
+// within a pixel, which shows one; a pan does not.
 constexpr const char* kHighSeas[] = {"gale", "storm", "overcast-swell"};
 constexpr VkExtent2D kExtent{320, 180};
 constexpr double kAspect = 1.0 * kExtent.width / kExtent.height;
