@@ -8,37 +8,30 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 1, std430) writeonly buffer Tiles { uint tileWords[]; };
 
-// The water of a tile that is nearest to the eye.
+// The water of a tile.
 struct Water {
-  float distance;  // along the camera's axis [m], less than 0 without water
-  vec2 position;   // undisplaced, from the eye [m]
-  float farthest;  // distance of the farthest, which may lie on another wave [m],
-  float depth;     // and how far the two are apart on the undisplaced sea [m]
-  bool everywhere; // no pixel of the tile is without water
+  float distance;   // of the nearest along the camera's axis [m], less than 0 without water
+  float farthest;   // of the farthest, which may lie on another wave [m]
+  vec2 low;         // where it lies on the undisplaced sea, from the eye [m]
+  vec2 high;
+  bool everywhere;  // no pixel of the tile is without water
 };
 
 Water waterOf(uvec2 first) {
-  float least = -1.0, most = -1.0;
-  bool everywhere = true;
-  ivec2 nearest = ivec2(first), farthest = ivec2(first);
+  Water water = Water(-1.0, -1.0, vec2(1e30), vec2(-1e30), true);
   for (uint i = 0u; i < kTileSize * kTileSize; ++i) {
     uvec2 place = first + uvec2(i % kTileSize, i / kTileSize);
     place = min(place, uvec2(frame.width - 1u, frame.height - 1u));
     Pixel pixel = readPixel(ivec2(place));
+    vec2 position = texelFetch(waterPosition, ivec2(place), 0).xy;
     float axial = pixel.water ? max(axialDistance(pixel.waterDepth), 0.0) : -1.0;
-    if (axial >= 0.0 && (least < 0.0 || axial < least)) {
-      least = axial;
-      nearest = ivec2(place);
-    }
-    everywhere = everywhere && pixel.water;
-    if (axial > most) {
-      most = axial;
-      farthest = ivec2(place);
-    }
+    water.distance = axial >= 0.0 && (water.distance < 0.0 || axial < water.distance) ? axial : water.distance;
+    water.farthest = max(water.farthest, axial);
+    water.low = pixel.water ? min(water.low, position) : water.low;
+    water.high = pixel.water ? max(water.high, position) : water.high;
+    water.everywhere = water.everywhere && pixel.water;
   }
-  vec2 position = texelFetch(waterPosition, nearest, 0).xy;
-  return Water(least, position, most, distance(position, texelFetch(waterPosition, farthest, 0).xy),
-               everywhere);
+  return water;
 }
 
 // How much a wave's face may lean toward the eye [rad].
@@ -54,23 +47,38 @@ float steepestView(uvec2 tile) {
   return min(result + kSteepFace, 1.0);
 }
 
-// Cascades with any foam near a tile's water. A mip's texel is 0 only where all under it are, and the level is
-// so coarse that half a texel, which is what a lookup reaches to at least, holds the tile and what its pixels blend into it:
-// a texel of their own mips. Where foam may be strewn, the level is the whole patch.
+// Cascades with any foam where a tile's pixels look it up. A mip's texel is 0 only where all under it are: lookups at the
+// corners of texels, each of which tells of the four around it, cover the box in which the tile's water lies and all that its
+// pixels blend into it. Where foam may be strewn, that is the whole patch.
 uint foamingCascades(Water water, float view) {
-  float across = water.distance * frame.waterAlbedo.w;
+  const float kMostDrawn = 1.25;   // by the warp, whose gradient is less than 4.6 of its deviation of 0.05
+  const float kMostLookups = 4.0;  // along a side of the box
+  float across = water.farthest * frame.waterAlbedo.w;
   float side = across / clamp(view - kSteepFace, 0.02, 1.0);
+  vec2 middle = 0.5 * (water.low + water.high);
+  float drift = foamDrift() * (frame.thinCrest.w > 0.0 ? 1.0 : 0.5);  // seaPoint()'s two lookups without lanes lie halfway
+  vec2 drawn = 0.5 * kMostDrawn * (water.high - water.low) + drift * abs(frame.foam.zw);
+  vec2 q = middle + waveWarp(frame.waves.warp, middle);
   uint mask = 0u;
-  vec2 q = water.position + waveWarp(frame.waves.warp, water.position);
-  for (uint c = 0u; c < frame.waves.cascades; ++c) {
+  for (uint c = 0u; c < notWrittenIn(frame.waves.cascades); ++c) {
     vec4 placement = frame.waves.placement[c];
     float texel = placement.w / float(frame.waves.size);
-    float reach = 2.0 * max(float(kTileSize) * side, water.depth) + 4.0 * max(side, texel) +
-                  2.0 * foamDrift();
-    bool strewn = water.farthest * frame.waterAlbedo.w * placement.x * kStrewnFootprint > 1.0;
-    float lod = strewn ? frame.waves.maxLod
-                       : min(ceil(waveLod(placement, float(frame.waves.size), reach)), frame.waves.maxLod);
-    float foam = textureLod(foamMap, vec3(waveUv(placement, q), float(c)), lod).r;
+    // Texels up to twice as long as a pixel's side are blended, and a storm moves a lookup by up to one of the finest.
+    vec2 reach = drawn + max(side, 0.5 * texel) + texel * frame.thinCrest.w;
+    float longest = 2.0 * max(reach.x, reach.y);
+    bool strewn = across * placement.x * kStrewnFootprint > 1.0;
+    float lod = min(ceil(waveLod(placement, float(frame.waves.size), longest / (2.0 * kMostLookups - 1.0))), frame.waves.maxLod);
+    lod = strewn ? frame.waves.maxLod : lod;
+    float texels = float(frame.waves.size) * exp2(-lod);
+    vec2 first = floor(waveUv(placement, q - reach) * texels), last = waveUv(placement, q + reach) * texels;
+    ivec2 lookups = ivec2(clamp(ceil(0.5 * (last - first)), vec2(1), vec2(kMostLookups)));
+    int count = lookups.x * lookups.y;
+    float foam;
+    int i = 0;
+    do {
+      vec2 corner = first + 1.0 + 2.0 * vec2(i % lookups.x, i / lookups.x);
+      foam = textureLod(foamMap, vec3(corner / texels, float(c)), lod).r;
+    } while (++i < count && foam == 0.0);
     mask |= foam > 0.0 ? 1u << c : 0u;
   }
   return mask;

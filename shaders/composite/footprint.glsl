@@ -47,7 +47,7 @@ vec3 withoutRelief(float side, float across, float height) {
 // Cascades, counted from the longest, of which something is left at the footprint.
 uint cascadesToSample(float footprint) {
   uint count = 0u;
-  for (uint c = 0u; c < frame.waves.cascades; ++c) {
+  for (uint c = 0u; c < notWrittenIn(frame.waves.cascades); ++c) {
     if (footprint < frame.waves.placement[c].w * kLongestWave) count = c + 1u;
   }
   return count;

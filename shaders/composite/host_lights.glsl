@@ -56,7 +56,7 @@ HostLit hostLit(SeaPoint sea, vec3 top, vec3 v, vec3 place, vec2 p) {
     lit.mirrored += mirroredLight(sea, seen, v, from, true);
     lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));
     lit.foam += from.irradiance * max(dot(top, from.l), 0.0);
-  } while (++i < frame.hostLights);
+  } while (++i < notWrittenIn(frame.hostLights));
   return lit;
 }
 

@@ -134,7 +134,7 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     if (kGain) all += (gain * gain - 1.0) * frame.waves.slopeCovariance[c].xyz;
   } while (++c < cascades);
   float variance = shortWaveVariance(-(gradient.z + gradient.w));
-  for (; c < frame.waves.cascades; ++c) {
+  for (; c < notWrittenIn(frame.waves.cascades); ++c) {
     float gain = gainAt(p, c);
     precise vec3 left = variance * slickOn(c, slick) * frame.waves.slopeCovariance[c].xyz;
     moments.xyz += gain * gain * left;
@@ -144,11 +144,8 @@ SeaPoint seaPoint(vec2 p, float side, float across, uint cascades, uint foaming)
     // Wind draws old foam out, and a strong one tears the edges of breaking crests. Where foam is looked up does not depend on
     // where the sea broke, so that the mean cover stays.
     vec2 drift = foamDrift() * frame.foam.zw;
-    uint taps = 2u;
-    if (frame.thinCrest.w > 0.0) {
-      lane = foamLane(p, side);
-      taps = 4u;
-    }
+    uint taps = notWrittenIn(frame.thinCrest.w > 0.0 ? 4u : 2u);
+    if (taps > 2u) lane = foamLane(p, side);
     do {
       uint foamy = uint(findLSB(foaming));
       vec4 placement = frame.waves.placement[foamy];

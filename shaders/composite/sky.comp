@@ -19,7 +19,7 @@ void main() {
   vec3 radiance = skyRadiance(skyPlace(d)) + sunDisc(d, pixelSize);
   if (kNight) {
     radiance += moonDisc(d, pixelSize);
-    if (light.skyIrradiance.w > 1.0) radiance += starLight(d, pixelSize);
+    if (notWrittenIn(uint(light.skyIrradiance.w > 1.0)) > 0u) radiance += starLight(d, pixelSize);
   }
   radiance = radiance * clouds.a + clouds.rgb;
   if (kHasHost && pixel.host) {

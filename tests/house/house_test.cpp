@@ -89,6 +89,18 @@ TEST(House, BarrierRulesCatch) {
   EXPECT_EQ(findings("float f() { return 1; }\nvoid main() { f(); barrier(); if (outside) return; store(); }"), 0u);
 }
 
+TEST(House, LoopsDoNotEndAtUniforms) { expectNone(house::loopRules(project())); }
+
+TEST(House, LoopRulesCatch) {
+  const auto findings = [](const std::string& text) {
+    return house::loopRules({{"shaders/composite/x.comp", text}}).size();
+  };
+  EXPECT_EQ(findings("for (uint c = 0u; c < frame.waves.cascades; ++c) {}"), 1u);
+  EXPECT_EQ(findings("do { add(i); } while (++i < frame.hostLights);"), 1u);
+  EXPECT_EQ(findings("for (uint c = 0u; c < notWrittenIn(frame.waves.cascades); ++c) {}"), 0u);
+  EXPECT_EQ(findings("do { add(i); } while (++i < count); bool less = i < frame.hostLights;"), 0u);
+}
+
 TEST(House, FilesAreShort) { expectNone(house::lengthRules(project())); }
 
 TEST(House, LengthRulesCatch) {

@@ -12,6 +12,8 @@ Findings includeRules(const Tree& tree);
 Findings bindingRules(const Tree& tree);
 /// In a shader no function returns before a barrier() that it, or what it calls, still has to reach.
 Findings barrierRules(const Tree& tree);
+/// No loop of the composite shaders ends at a uniform number by itself (notWrittenIn() in bindings.glsl).
+Findings loopRules(const Tree& tree);
 /// Code and shaders have at most 450 lines.
 Findings lengthRules(const Tree& tree);
 /// No note to do something later, no switched-off test, no path of somebody's machine.

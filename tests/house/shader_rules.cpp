@@ -101,4 +101,19 @@ Findings barrierRules(const Tree& tree) {
   return findings;
 }
 
+Findings loopRules(const Tree& tree) {
+  static const std::regex kUniformEnd(
+      R"re(\b(while\s*\(|for\s*\([^{};]*;)[^{};]*[<>]=?\s*(frame|light)\.[\w.]+\s*[;)])re");
+  Findings findings;
+  for (const File& file : tree) {
+    if (!file.path.starts_with("shaders/composite/")) continue;
+    const std::string text = withoutComments(file.text);
+    for (std::sregex_iterator match(text.begin(), text.end(), kUniformEnd), end; match != end; ++match) {
+      findings.push_back(file.path + ":" + std::to_string(lineOf(text, static_cast<std::size_t>(match->position()))) +
+                         " has a loop that ends at a uniform number");
+    }
+  }
+  return findings;
+}
+
 }  // namespace house
