@@ -37,8 +37,9 @@ struct SkyState {
   double sunElevation = 0.6;   ///< Above the horizontal [rad], -pi/2 … pi/2.
   double sunAzimuth = 0.0;     ///< Toward the sun, from +x turning to +z [rad], finite.
   double overcast = 0.0;       ///< 0 clear … 1 CIE overcast sky without a sun [1].
-  double haze = 1.0;           ///< Aerosol amount, 1 is clean maritime air [1], 0 … 20.
+  double haze = 1.0;           ///< Aerosol at sea level, 1 is clean maritime air, 6e-5 1/m [1], 0 … 20.
   CloudLayer clouds;           ///< Below the overcast, which has no height.
+  double hazeHeight = 1200;    ///< Scale height of the aerosol, less in a shallow layer over the sea [m], 200 … 5000.
   double moonElevation = -1;   ///< Above the horizontal [rad], -pi/2 … pi/2; below the horizon there is no moon.
   double moonAzimuth = 0;      ///< Toward the moon [rad], as the sun's.
   double moonIlluminated = 1;  ///< Part of its disc that the sun lights [1], 0 new … 1 full.
@@ -56,9 +57,9 @@ struct EnvironmentSun {
 };
 
 /// A host's picture of the sky, longitude x latitude, that stands in place of Pelagic's: then of SkyState the haze
-/// alone counts. Its upper half is the sky, what is below the horizon is not used. Nor does an eye's altitude change
-/// it: the rows are spread between the zenith and the eye's own horizon. Into the distance the sea takes the colour of
-/// the horizon above it, as the haze thickens.
+/// and its height alone count. Its upper half is the sky, what is below the horizon is not used. Nor does an eye's
+/// altitude change it: the rows are spread between the zenith and the eye's own horizon. Into the distance the sea
+/// takes the colour of the horizon above it, as the haze thickens.
 struct SkyEnvironment {
   std::uint32_t width = 0;   ///< Pixels of a row, 4 … 4096, a multiple of 4; 0: no picture, the sky is Pelagic's.
   std::uint32_t height = 0;  ///< Rows: half of width.

@@ -191,7 +191,7 @@ HostSky hostSky(const SkyEnvironment& environment) {
   return result;
 }
 
-shader::SkyLight hostLight(const HostSky& sky, double haze) noexcept {
+shader::SkyLight hostLight(const HostSky& sky, const SkyState& state) noexcept {
   constexpr double kRadius = kSunAngularRadius;
   shader::SkyLight light{};
   light.sunDirection = glm::vec4(toward(sky.sun.elevation, sky.sun.azimuth), static_cast<float>(std::cos(kRadius)));
@@ -201,7 +201,7 @@ shader::SkyLight hostLight(const HostSky& sky, double haze) noexcept {
   light.sunRadiance = glm::vec4(glm::vec3(glm::dvec3(sky.sun.irradiance) / disc), 1);
   light.skyIrradiance = glm::vec4(sky.skyIrradiance, 1);
   light.rayleighExtinction = glm::vec4(shader::kRayleighScattering, shader::kRayleighHeight);
-  light.mieExtinction = glm::vec4(shader::kMieExtinction * static_cast<float>(haze), shader::kMieHeight);
+  light.mieExtinction = glm::vec4(shader::kMieExtinction * static_cast<float>(state.haze), state.hazeHeight);
   light.moonDirection = light.moonLit = glm::vec4(0, -1, 0, 0);
   light.stars = glm::vec4(0, 0, 0, 1);
   light.cloudPlace = light.cloudSun = glm::vec4(0, 0, 0, 1e9);

@@ -19,7 +19,7 @@ struct HostSky {
 
 /// `environment` must be valid.
 HostSky hostSky(const SkyEnvironment& environment);
-/// The block that tells of it, in air of so much haze.
-shader::SkyLight hostLight(const HostSky& sky, double haze) noexcept;
+/// The block that tells of it, in the air of `state`.
+shader::SkyLight hostLight(const HostSky& sky, const SkyState& state) noexcept;
 
 }  // namespace pelagic::sky

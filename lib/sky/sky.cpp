@@ -35,7 +35,7 @@ shader::SkyPass passOf(const SkyState& state, double planetRadius, double altitu
   pass.sunDirection = glm::vec4(toward(state.sunElevation, state.sunAzimuth), static_cast<float>(state.sunElevation));
   pass.sunAzimuth = static_cast<float>(std::remainder(state.sunAzimuth, 2 * std::numbers::pi));
   pass.overcast = static_cast<float>(state.overcast);
-  pass.haze = static_cast<float>(state.haze);
+  pass.haze = glm::vec2(state.haze, state.hazeHeight);
   pass.gain = static_cast<float>(twilightGain(state.sunElevation));
   pass.altitude = static_cast<float>(altitude);
   pass.edge = shader::horizonElevation(pass.altitude, static_cast<float>(planetRadius));
@@ -45,7 +45,7 @@ shader::SkyPass passOf(const SkyState& state, double planetRadius, double altitu
   pass.sunPlace = glm::vec4(glm::vec3(pass.sunDirection), moonCastsShadows(state) ? 1 : 0);
   const glm::dquat stars = glm::quat_cast(glm::transpose(state.starsToWorld));
   pass.stars = glm::vec4(glm::dvec4(stars.x, stars.y, stars.z, stars.w));
-  pass.night.x = 1;
+  pass.night = 1;
   return pass;
 }
 
@@ -56,7 +56,7 @@ shader::SkyPass moonPassOf(shader::SkyPass pass) noexcept {
   pass.sunDirection = pass.moonDirection;
   pass.sunAzimuth = pass.moonAzimuth;
   pass.gain *= pass.moonDirection.w;
-  pass.night.x = 0;
+  pass.night = 0;
   return pass;
 }
 
@@ -195,7 +195,7 @@ void Sky::Impl::recordHost(vk::CommandBuffer commands, Timings* timings) noexcep
   if (hostChanged) hostPicture.upload(*context, commands, hostSky);
   hostChanged = false;
   sky::recordHostSky(*context, commands, hostStep, radiance, hostSky.rotation);
-  const shader::SkyLight block = sky::hostLight(hostSky, state.haze);
+  const shader::SkyLight block = sky::hostLight(hostSky, state);
   gpu::Barrier().buffer(light, gpu::kTransferWrite).record(*context, commands);
   commands.updateBuffer(light.handle(), 0, sizeof(block), &block, context->dispatch);
   gpu::Barrier().buffer(light, sky::kLightRead).record(*context, commands);
@@ -241,7 +241,8 @@ Result<Sky> Sky::create(Device& device, const SkyState& state, double planetRadi
 Result<void> Sky::setState(const SkyState& state) {
   PELAGIC_CHECK(validate(state));
   SkyState& now = impl_->state;
-  impl_->airChanged |= state.haze != now.haze;
+  const bool hazier = state.haze != now.haze || state.hazeHeight != now.hazeHeight;
+  impl_->airChanged |= hazier;
   // Clouds drift without being computed again.
   CloudLayer moved = now.clouds;
   moved.velocity = state.clouds.velocity;
@@ -250,7 +251,7 @@ Result<void> Sky::setState(const SkyState& state) {
                    state.overcast != now.overcast || state.clouds != moved ||
                    state.moonElevation != now.moonElevation || state.moonAzimuth != now.moonAzimuth ||
                    state.moonIlluminated != now.moonIlluminated || state.starsToWorld != now.starsToWorld;
-  impl_->changed |= state.haze != now.haze || (lit && !impl_->hosted());
+  impl_->changed |= hazier || (lit && !impl_->hosted());
   now = state;
   return {};
 }

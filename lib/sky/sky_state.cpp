@@ -16,6 +16,7 @@ Result<void> validate(const SkyState& state) {
                                 {"sunAzimuth", state.sunAzimuth, -kAny, kAny, "finite"},
                                 {"overcast", state.overcast, 0, 1, "0 to 1"},
                                 {"haze", state.haze, 0, 20, "0 to 20"},
+                                {"hazeHeight", state.hazeHeight, 200, 5000, "200 to 5000 m"},
                                 {"moonElevation", state.moonElevation, -kZenith, kZenith, "-pi/2 to pi/2"},
                                 {"moonAzimuth", state.moonAzimuth, -kAny, kAny, "finite"},
                                 {"moonIlluminated", state.moonIlluminated, 0, 1, "0 to 1"},

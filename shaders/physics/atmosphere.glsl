@@ -1,5 +1,6 @@
 // The clear atmosphere: densities, phase functions, rays around the globe and the parametrisations of the sky's maps.
-// Compiles as GLSL and as C++. Metres, radians; `mu` is the cosine of a ray's zenith angle, `haze` scales the aerosols.
+// Compiles as GLSL and as C++. Metres, radians; `mu` is the cosine of a ray's zenith angle, `haze` the
+// aerosols' amount, relative to clean air over the sea, and their scale height [m].
 #ifndef PELAGIC_PHYSICS_ATMOSPHERE_GLSL
 #define PELAGIC_PHYSICS_ATMOSPHERE_GLSL
 
@@ -26,9 +27,9 @@ PELAGIC_SHADER_CONSTANT float kRayleighHeight = 8000.0f;
 PELAGIC_SHADER_CONSTANT vec3 kOzoneAbsorption = vec3(2.58e-6f, 1.71e-6f, 0.0f);
 PELAGIC_SHADER_CONSTANT float kOzoneCentre = 25000.0f;
 PELAGIC_SHADER_CONSTANT float kOzoneHalfWidth = 15000.0f;
-// Clean maritime aerosol (Smirnov et al. 2002): optical depth 0.07 at 550 nm, Angstrom exponent 0.4.
+// Clean maritime aerosol (Smirnov et al. 2002) at sea level: with a scale height of 1200 m the optical depth is 0.07 at 550 nm;
+// Angstrom exponent 0.4.
 PELAGIC_SHADER_CONSTANT vec3 kMieExtinction = vec3(5.50e-5f, 5.86e-5f, 6.38e-5f);
-PELAGIC_SHADER_CONSTANT float kMieHeight = 1200.0f;
 PELAGIC_SHADER_CONSTANT float kMieAlbedo = 0.98f;      // scattering / extinction
 PELAGIC_SHADER_CONSTANT float kMieNarrow = 0.9f;       // mean cosines of the two lobes of the phase function
 PELAGIC_SHADER_CONSTANT float kMieWide = 0.5f;
@@ -49,16 +50,16 @@ PELAGIC_AIR_FORMULA float miePhase(float mu) {
 }
 
 // Relative densities at altitude h: molecules, aerosols, ozone.
-PELAGIC_AIR_FORMULA vec3 airDensity(float h) {
-  return vec3(exp(-h / kRayleighHeight), exp(-h / kMieHeight),
+PELAGIC_AIR_FORMULA vec3 airDensity(float h, vec2 haze) {
+  return vec3(exp(-h / kRayleighHeight), haze.x * exp(-h / haze.y),
               max(0.0f, 1.0f - abs(h - kOzoneCentre) / kOzoneHalfWidth));
 }
 
 // Extinction [1/m] of the densities d.
-PELAGIC_AIR_FORMULA vec3 airExtinction(vec3 d, float haze) {
-  return kRayleighScattering * d.x + kMieExtinction * (haze * d.y) + kOzoneAbsorption * d.z;
+PELAGIC_AIR_FORMULA vec3 airExtinction(vec3 d) {
+  return kRayleighScattering * d.x + kMieExtinction * d.y + kOzoneAbsorption * d.z;
 }
-PELAGIC_AIR_FORMULA vec3 mieScattering(vec3 d, float haze) { return kMieExtinction * (kMieAlbedo * haze * d.y); }
+PELAGIC_AIR_FORMULA vec3 mieScattering(vec3 d) { return kMieExtinction * (kMieAlbedo * d.y); }
 
 // Altitude after the distance t along a ray from altitude h: r^2 - R^2 is summed without the cancelling R^2.
 PELAGIC_AIR_FORMULA float altitudeAlong(float h, float mu, float t) {
@@ -90,7 +91,7 @@ PELAGIC_AIR_FORMULA float horizonCosine(float h) {
 
 // Optical depth from altitude h to the top of the air by the midpoint rule. Samples crowd as t = t0 + x|x| around the
 // ray's lowest point t0, where the density peaks.
-PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int steps) {
+PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, vec2 haze, int steps) {
   float end = distanceToTop(h, mu);
   float lowest = clamp(-(kPlanetRadius + h) * mu, 0.0f, end);
   float from = -sqrt(lowest);
@@ -98,8 +99,8 @@ PELAGIC_AIR_FORMULA vec3 airOpticalDepth(float h, float mu, float haze, int step
   vec3 depth = vec3(0.0f);
   for (int i = 0; i < steps; ++i) {
     float x = from + (float(i) + 0.5f) * step;
-    vec3 density = airDensity(max(0.0f, altitudeAlong(h, mu, lowest + x * abs(x))));
-    depth += airExtinction(density, haze) * (2.0f * abs(x) * step);
+    vec3 density = airDensity(max(0.0f, altitudeAlong(h, mu, lowest + x * abs(x))), haze);
+    depth += airExtinction(density) * (2.0f * abs(x) * step);
   }
   return depth;
 }

@@ -31,16 +31,16 @@ struct SkyPass {
   vec4 sunDirection;   // xyz toward the sun (world), w elevation [rad]
   float sunAzimuth;    // [rad]
   float overcast;      // 0 ... 1
-  float haze;          // [1]
   float gain;          // factor on every radiance, 1 while the sun is up
   float altitude;      // of the eye [m]
   float edge;          // elevation of the eye's horizon [rad], <= 0
   uint airRows;        // rows below the horizon: 0, or kAirRows in the maps of a view
   float moonAzimuth;   // [rad]
+  float night;         // share of the light of a moonless night that is added
   vec4 moonDirection;  // xyz toward the moon (world), w its irradiance over the air, 0 below the horizon
   vec4 sunPlace;       // xyz toward the sun, also where sunDirection is the moon's, w 1: the moon casts the shadows
   vec4 stars;          // as in SkyLight
-  vec4 night;          // x: share of the light of a moonless night that is added
+  vec2 haze;           // aerosols: amount [1], scale height [m]
 };
 
 // Push constants of the pass that shows a host's picture.

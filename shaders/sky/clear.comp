@@ -41,9 +41,9 @@ Air airAlong(float altitude, float viewMu, float end, float sunMu, float sunView
     float t = end * m * m;  // dense near the eye
     float h = clamp(altitudeAlong(altitude, viewMu, t), 0.0, kAirTop);
     float mu = ((kPlanetRadius + altitude) * sunMu + t * sunView) / (kPlanetRadius + h);
-    vec3 density = airDensity(h);
-    vec3 extinction = airExtinction(density, pass.haze);
-    vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density, pass.haze);
+    vec3 density = airDensity(h, pass.haze);
+    vec3 extinction = airExtinction(density);
+    vec3 molecules = kRayleighScattering * density.x, aerosols = mieScattering(density);
     vec3 source = (molecules * rayleigh + aerosols * mie) * sunlightAt(transmittance, h, mu) +
                   (molecules + aerosols) * manyTimesScattered(h, mu);
     vec3 depth = extinction * (end * (b * b - a * a));
@@ -71,6 +71,6 @@ void main() {
   float ground = distanceToGround(altitude, viewMu);
   float end = below && ground >= 0.0 ? ground : distanceToTop(altitude, viewMu);
   Air air = airAlong(altitude, viewMu, end, sunMu, sunView);
-  vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight * pass.night.x;
+  vec3 light = (below ? air.light / max(1.0 - air.through, vec3(1e-7)) : air.light) + kNight * pass.night;
   imageStore(clear, texel, vec4(light * pass.gain, 1));
 }

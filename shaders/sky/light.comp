@@ -65,7 +65,7 @@ void writeLight(vec3 clearSky) {
   light.sunRadiance = vec4(sunNow / disc, byMoon ? 0.0 : 1.0);
   light.skyIrradiance = vec4(clearSky * open + cloudy, pass.gain);
   light.rayleighExtinction = vec4(kRayleighScattering, kRayleighHeight);
-  light.mieExtinction = vec4(kMieExtinction * pass.haze, kMieHeight);
+  light.mieExtinction = vec4(kMieExtinction * pass.haze.x, pass.haze.y);
   // The CIE overcast sky gives 7 pi/9 of its zenith's radiance.
   light.cloudZenith = vec4(cloudy * (9.0 / (7.0 * kAirPi)), 0);
   // Clouds see the sun a little longer than the sea does.

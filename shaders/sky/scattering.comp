@@ -37,9 +37,9 @@ void march(float h, vec4 direction, float sunMu, uint slot) {
     float t = end * m * m;
     float height = clamp(altitudeAlong(h, direction.y, t), 0.0, kAirTop);
     float mu = ((kPlanetRadius + h) * sunMu + t * sunView) / (kPlanetRadius + height);
-    vec3 density = airDensity(height);
-    vec3 extinction = airExtinction(density, pass.haze);
-    vec3 scattered = kRayleighScattering * density.x + mieScattering(density, pass.haze);
+    vec3 density = airDensity(height, pass.haze);
+    vec3 extinction = airExtinction(density);
+    vec3 scattered = kRayleighScattering * density.x + mieScattering(density);
     vec3 stepThrough = exp(-extinction * (end * (b * b - a * a)));
     // Exact along the step when the medium is constant in it.
     vec3 share = scattered * through * (1.0 - stepThrough) / max(extinction, vec3(1e-12));

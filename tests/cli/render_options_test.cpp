@@ -35,6 +35,7 @@ const std::vector<cli::Bad>& badPicture() {
       {"--environment-turn", {"361", "inf", "''"}, "-360 to 360 degrees"},
       {"--overcast", {"-0.1", "1.1", "nan", "''"}, "0 to 1"},
       {"--haze", {"-1", "21", "inf", "''"}, "0 to 20"},
+      {"--haze-height", {"0", "199", "5001", "nan", "''"}, "200 to 5000 m"},
       {"--light", {"1,2,3,4,5,6", "1,2,3,4,5,6,7,8", "''"}, "X,Y,Z,RADIUS,R,G,B"},
       {"--light", {"1,-1,3,1,1,1,1", "1,nan,3,1,1,1,1"}, "y 0 to 100000 m"},
       {"--light", {"1,1,3,0,1,1,1"}, "a radius of 0.001 to 10000 m"},

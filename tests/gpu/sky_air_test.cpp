@@ -52,7 +52,7 @@ class SkyAirTest : public support::GpuTest {
 };
 
 /// Transmittance from altitude h to 100 km in double precision, densities and coefficients written out again.
-dvec3 transmittance(double h, double mu, double haze) {
+dvec3 transmittance(double h, double mu, double haze, double hazeHeight) {
   constexpr double radius = 6371e3, top = radius + 100e3;
   const double r = radius + h;
   const double end = -r * mu + std::sqrt(r * r * (mu * mu - 1) + top * top);
@@ -63,17 +63,17 @@ dvec3 transmittance(double h, double mu, double haze) {
     const double z = std::sqrt(r * r + 2 * r * mu * t + t * t) - radius;
     depth += end / kSteps *
              (dvec3(7.10e-6, 1.38e-5, 3.31e-5) * std::exp(-z / 8000) +
-              haze * dvec3(5.50e-5, 5.86e-5, 6.38e-5) * std::exp(-z / 1200) +
+              haze * dvec3(5.50e-5, 5.86e-5, 6.38e-5) * std::exp(-z / hazeHeight) +
               dvec3(2.58e-6, 1.71e-6, 0) * std::max(0.0, 1 - std::abs(z - 25e3) / 15e3));
   }
   return glm::exp(-depth);
 }
 
 TEST_F(SkyAirTest, TransmittanceMapEqualsQuadrature) {
-  for (const float haze : {1.0f, 6.0f}) {
+  for (const auto& [haze, hazeHeight] : {std::pair(1.0, 1200.0), std::pair(6.0, 1200.0), std::pair(3.0, 400.0)}) {
     constexpr int kWidth = air::kTransmittanceWidth, kHeight = air::kTransmittanceHeight;
     air::SkyPass push{};
-    push.haze = haze;
+    push.haze = glm::vec2(haze, hazeHeight);
     const std::vector<float> map = drawn(pelagic::shaders::sky_transmittance_comp, {kWidth, kHeight}, push);
     for (const double h : {0.0, 800.0, 9000.0, 40000.0}) {
       for (const double degrees : {90.0, 40.0, 12.0, 3.0, 0.5, 0.0, -2.0, -5.0}) {
@@ -87,11 +87,11 @@ TEST_F(SkyAirTest, TransmittanceMapEqualsQuadrature) {
         };
         const dvec3 value = glm::mix(glm::mix(texel(0, 0), texel(1, 0), double(at.x) - x),
                                      glm::mix(texel(0, 1), texel(1, 1), double(at.x) - x), double(at.y) - y);
-        const dvec3 expected = transmittance(h, mu, haze);
+        const dvec3 expected = transmittance(h, mu, haze, hazeHeight);
         for (int c = 0; c < 3; ++c) {
           // Interpolation between the map's rows errs most where much haze thins out quickly.
           EXPECT_NEAR(value[c], expected[c], 0.01 * (haze + 0.5) * expected[c] + 1e-4)
-              << haze << ' ' << h << ' ' << degrees;
+              << haze << ' ' << hazeHeight << ' ' << h << ' ' << degrees;
         }
       }
     }

@@ -230,11 +230,13 @@ TEST_F(SkyEnvironmentTest, OfTheStateTheHazeAloneCounts) {
   state.sunElevation = -0.4;
   state.moonElevation = 0.5;
   state.haze = 3;
+  state.hazeHeight = 400;
   ASSERT_TRUE(sky.setState(state));
   const Picture second = draw(sky, view, 4000);
   EXPECT_EQ(first.view.texels, second.view.texels);
   EXPECT_EQ(first.light.skyIrradiance, second.light.skyIrradiance);
   EXPECT_NEAR(second.viewLight.mieExtinction.g / 3, 5.86e-5, 1e-9);
+  EXPECT_EQ(second.viewLight.mieExtinction.w, 400);
   const Map clouds = read(view.maps().clouds);
   for (std::size_t i = 0; i < clouds.texels.size(); ++i) EXPECT_EQ(clouds.texels[i], i % 4 == 3 ? 1 : 0);
 }

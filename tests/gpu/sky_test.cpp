@@ -52,7 +52,7 @@ dvec3 horizontalIrradiance(const Map& map) {
 }
 
 /// Transmittance from sea level in double precision, densities and coefficients written out again.
-dvec3 transmittance(double elevation, double haze) {
+dvec3 transmittance(double elevation, double haze, double hazeHeight) {
   constexpr double r = 6371e3, top = 100e3;
   const double mu = std::sin(elevation);
   const double end = -r * mu + std::sqrt(r * r * (mu * mu - 1) + (r + top) * (r + top));
@@ -63,7 +63,7 @@ dvec3 transmittance(double elevation, double haze) {
     const double h = std::sqrt(r * r + 2 * r * mu * t + t * t) - r;
     depth += end / kSteps *
              (dvec3(7.10e-6, 1.38e-5, 3.31e-5) * std::exp(-h / 8000) +
-              haze * dvec3(5.50e-5, 5.86e-5, 6.38e-5) * std::exp(-h / 1200) +
+              haze * dvec3(5.50e-5, 5.86e-5, 6.38e-5) * std::exp(-h / hazeHeight) +
               dvec3(2.58e-6, 1.71e-6, 0) * std::max(0.0, 1 - std::abs(h - 25e3) / 15e3));
   }
   return glm::exp(-depth);
@@ -72,11 +72,12 @@ dvec3 transmittance(double elevation, double haze) {
 TEST_F(SkyTest, SunlightIsWhatQuadratureLeavesOfIt) {
   auto sky = createSky({});
   for (const double degrees : {90.0, 40.0, 15.0, 5.0, 1.0}) {
-    for (const double haze : {1.0, 4.0}) {
+    for (const auto& [haze, hazeHeight] : {std::pair(1.0, 1200.0), std::pair(4.0, 1200.0), std::pair(3.0, 300.0)}) {
       pelagic::SkyState state = stateOf(degrees);
       state.haze = haze;
+      state.hazeHeight = hazeHeight;
       const auto light = draw(sky, state).light;
-      const dvec3 expected = transmittance(state.sunElevation, haze);
+      const dvec3 expected = transmittance(state.sunElevation, haze, hazeHeight);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(light.sunIrradiance[c], expected[c], 0.01 * expected[c]) << degrees << ' ' << haze << ' ' << c;
         EXPECT_NEAR(light.sunRadiance[c], expected[c] / (kPi * 0.004675 * 0.004675), 0.01 * light.sunRadiance[c]);
@@ -329,12 +330,13 @@ TEST_F(SkyTest, MipsAreBinomial) {
 TEST_F(SkyTest, AerialPerspectiveGetsTheExtinctionAtSeaLevel) {
   pelagic::SkyState state = stateOf(30);
   state.haze = 3;
+  state.hazeHeight = 400;
   auto sky = createSky(state);
   const auto light = draw(sky, state).light;
   EXPECT_NEAR(light.rayleighExtinction.b, 3.31e-5, 1e-8);
   EXPECT_EQ(light.rayleighExtinction.w, 8000);
   EXPECT_NEAR(light.mieExtinction.g, 3 * 5.86e-5, 1e-8);
-  EXPECT_EQ(light.mieExtinction.w, 1200);
+  EXPECT_EQ(light.mieExtinction.w, 400);
 }
 
 TEST_F(SkyTest, UnchangedStateRecordsNothing) {
@@ -358,6 +360,9 @@ TEST_F(SkyTest, UnchangedStateRecordsNothing) {
   hazy.haze = 2;
   ASSERT_TRUE(sky.setState(hazy));
   EXPECT_EQ(passes(), 3u);
+  hazy.hazeHeight = 500;
+  ASSERT_TRUE(sky.setState(hazy));
+  EXPECT_EQ(passes(), 3u);
 }
 
 TEST_F(SkyTest, EachFieldIsRefusedByName) {
@@ -371,7 +376,8 @@ TEST_F(SkyTest, EachFieldIsRefusedByName) {
   const Case cases[] = {{"sunElevation", &pelagic::SkyState::sunElevation, {nan, 1.6, -1.6, infinity}},
                         {"sunAzimuth", &pelagic::SkyState::sunAzimuth, {nan, infinity, -infinity}},
                         {"overcast", &pelagic::SkyState::overcast, {nan, -0.01, 1.01, infinity}},
-                        {"haze", &pelagic::SkyState::haze, {nan, -0.01, 20.1, infinity}}};
+                        {"haze", &pelagic::SkyState::haze, {nan, -0.01, 20.1, infinity}},
+                        {"hazeHeight", &pelagic::SkyState::hazeHeight, {nan, 0, 199, 5001, infinity}}};
   for (const Case& test : cases) {
     for (const double value : test.wrong) {
       pelagic::SkyState state;

@@ -25,7 +25,7 @@ double altitude(double h, double mu, double t) {
 }
 
 /// Optical depth in double precision with its own densities and bounds; channel 0 to 2.
-double opticalDepth(double h, double mu, double haze, int channel) {
+double opticalDepth(double h, double mu, double haze, double hazeHeight, int channel) {
   const double rayleigh[] = {7.10e-6, 1.38e-5, 3.31e-5};
   const double mie[] = {5.50e-5, 5.86e-5, 6.38e-5};
   const double ozone[] = {2.58e-6, 1.71e-6, 0};
@@ -35,7 +35,7 @@ double opticalDepth(double h, double mu, double haze, int channel) {
   }
   return integral(0, end, 200000, [&](double t) {
     const double z = altitude(h, mu, t);
-    return rayleigh[channel] * std::exp(-z / 8000) + haze * mie[channel] * std::exp(-z / 1200) +
+    return rayleigh[channel] * std::exp(-z / 8000) + haze * mie[channel] * std::exp(-z / hazeHeight) +
            ozone[channel] * std::max(0.0, 1 - std::abs(z - 25e3) / 15e3);
   });
 }
@@ -55,31 +55,34 @@ TEST(Atmosphere, MeanCosineOfTheAerosolsIsThatOfSeaSalt) {
 }
 
 TEST(Atmosphere, VerticalOpticalDepthHasItsClosedForm) {
-  for (const float haze : {0.0f, 1.0f, 5.0f}) {
+  for (const glm::vec2 haze : {glm::vec2(0, 1200), glm::vec2(1, 1200), glm::vec2(5, 1200), glm::vec2(4, 400)}) {
     const glm::vec3 depth = air::airOpticalDepth(0, 1, haze, 64);
     for (int c = 0; c < 3; ++c) {
       const double closed = double(air::kRayleighScattering[c]) * 8000 * (1 - std::exp(-12.5)) +
-                            haze * double(air::kMieExtinction[c]) * 1200 + double(air::kOzoneAbsorption[c]) * 15000;
-      EXPECT_NEAR(depth[c], closed, 0.003 * closed) << haze << ' ' << c;
+                            double(haze.x * air::kMieExtinction[c] * haze.y) + double(air::kOzoneAbsorption[c]) * 15000;
+      EXPECT_NEAR(depth[c], closed, 0.003 * closed) << haze.x << ' ' << haze.y << ' ' << c;
     }
   }
 }
 
 TEST(Atmosphere, AerosolAndOzoneColumnsAreTheMeasuredOnes) {
-  EXPECT_NEAR(air::kMieExtinction.y * air::kMieHeight, 0.07, 0.001);
+  EXPECT_NEAR(air::kMieExtinction.y * 1200, 0.07, 0.001);
   // 300 Dobson units at the Rec.709 green's mean cross-section of 3.2e-25 m^2.
   EXPECT_NEAR(air::kOzoneAbsorption.y * 15000, 300 * 2.687e20 * 3.18e-25, 0.001);
 }
 
 TEST(Atmosphere, SlantOpticalDepthEqualsQuadrature) {
-  for (const double h : {0.0, 500.0, 12000.0, 60000.0}) {
-    for (const double degrees : {90.0, 45.0, 10.0, 2.0, 0.0, -1.0, -4.0}) {
-      const double mu = std::sin(degrees * kPi / 180);
-      if (mu < double(air::horizonCosine(float(h)))) continue;
-      const glm::vec3 depth = air::airOpticalDepth(float(h), float(mu), 1, 40);
-      for (int c = 0; c < 3; ++c) {
-        const double expected = opticalDepth(h, mu, 1, c);
-        EXPECT_NEAR(depth[c], expected, 0.01 * expected + 1e-5) << h << ' ' << degrees << ' ' << c;
+  for (const float hazeHeight : {1200.0f, 300.0f}) {
+    for (const double h : {0.0, 500.0, 12000.0, 60000.0}) {
+      for (const double degrees : {90.0, 45.0, 10.0, 2.0, 0.0, -1.0, -4.0}) {
+        const double mu = std::sin(degrees * kPi / 180);
+        if (mu < double(air::horizonCosine(float(h)))) continue;
+        const glm::vec3 depth = air::airOpticalDepth(float(h), float(mu), {1, hazeHeight}, 40);
+        for (int c = 0; c < 3; ++c) {
+          const double expected = opticalDepth(h, mu, 1, static_cast<double>(hazeHeight), c);
+          EXPECT_NEAR(depth[c], expected, 0.01 * expected + 1e-5)
+              << hazeHeight << ' ' << h << ' ' << degrees << ' ' << c;
+        }
       }
     }
   }
