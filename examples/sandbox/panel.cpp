@@ -133,7 +133,7 @@ void drawLight(common::Scene& scene, Changes& changes) {
   changes.sky |= slide("Moon's lit part", scene.sky.moonIlluminated, 0, 1);
   changes.sky |= slide("Overcast", scene.sky.overcast, 0, 1);
   changes.sky |= slide("Haze", scene.sky.haze, 0, 20);
-  changes.sky |= slide("Haze height [m]", scene.sky.hazeHeight, 200, 5000);
+  changes.sky |= slide("Haze height [m]", scene.sky.hazeHeight, 200, 5000, 1, "%.0f");
   changes.sky |= slide("Cloud cover", scene.sky.clouds.cover, 0, 1);
   changes.sky |= slide("Cloud base [m]", scene.sky.clouds.base, 100, 8000, 1, "%.0f");
   changes.sky |= slide("Cloud thickness [m]", scene.sky.clouds.thickness, 50, 4000, 1, "%.0f");

@@ -195,8 +195,8 @@ void SkyView::record(VkCommandBuffer commandBuffer, const Camera& camera, Timing
   Impl& view = *impl_;
   const gpu::Context& context = *view.sky->context;
   const vk::CommandBuffer commands(commandBuffer);
-  // The densities' shortest scale is 1200 m: nothing changes within a metre, and below the sea the sky is that of its
-  // level.
+  // The densities' shortest scale is 200 m: within a metre they change by half a percent, and below the sea the sky is
+  // that of its level.
   constexpr double kHighest = 0.99 * static_cast<double>(shader::kAirTop);
   const double height = std::clamp(std::round(camera.position.y), 0.0, kHighest);
   const bool changed = view.version != view.sky->version, moved = changed || view.altitude != height;

@@ -22,6 +22,7 @@ layout(binding = 5) uniform sampler2DArray foamMap;
 layout(binding = 6) uniform sampler2D radianceMap;
 layout(binding = 7) uniform sampler2D environmentMap;
 layout(binding = 8) uniform sampler2D waterPosition;
+layout(binding = 9) uniform usampler2D waterBody;
 layout(binding = 10) uniform sampler2D waterDepth;
 layout(binding = 11) uniform sampler2D hostColor;
 layout(binding = 12) uniform sampler2D hostDepth;
@@ -37,8 +38,8 @@ layout(binding = 17) uniform samplerBuffer fresnelTable;
 // Largest value written: half floats end at 65504.
 const float kLargestRadiance = 60000.0;
 
-// The same number, for the ends of loops and for branches. Lavapipe compiles a shader anew for every dispatch, 10 ms for a large
-// one, where they hang on uniforms alone, to write those in; a dispatch has a group at least, which it does not know.
+// The same number, for the ends of loops and for branches. Lavapipe compiles a shader anew for every dispatch, 10 ms for a
+// large one, where they hang on uniforms alone, to write those in; a dispatch has a group at least, which it does not know.
 uint notWrittenIn(uint number) { return min(number, number * gl_NumWorkGroups.x); }
 
 // What covers a pixel, and how far it is.
@@ -52,9 +53,9 @@ struct Pixel {
 Pixel readPixel(ivec2 place) {
   Pixel pixel;
   pixel.waterDepth = texelFetch(waterDepth, place, 0).x;
-  pixel.water = pixel.waterDepth != frame.rayY.w;
+  pixel.water = texelFetch(waterBody, place, 0).x != 0u;
   pixel.host = false;
-  pixel.depth = pixel.waterDepth;
+  pixel.depth = pixel.water ? pixel.waterDepth : frame.rayY.w;
   if (kHasHost) {
     float other = texelFetch(hostDepth, place, 0).x;
     pixel.host = (other - pixel.depth) * frame.nearer > 0.0;

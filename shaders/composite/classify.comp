@@ -47,27 +47,37 @@ float steepestView(uvec2 tile) {
   return min(result + kSteepFace, 1.0);
 }
 
+// Half the box that the warp can draw half a box out to: its waves' slopes are 8 times their amplitudes at most (waveWarp()).
+vec2 warped(vec2 half_) {
+  vec2 drawn = half_;
+  for (int i = 0; i < 2; ++i) {
+    vec4 slope = 8.0 * (abs(frame.waves.warp.alongX[i]) * half_.x + abs(frame.waves.warp.alongZ[i]) * half_.y);
+    drawn += vec2(dot(slope, abs(frame.waves.warp.shiftX[i])), dot(slope, abs(frame.waves.warp.shiftZ[i])));
+  }
+  return drawn;
+}
+
 // Cascades with any foam where a tile's pixels look it up. A mip's texel is 0 only where all under it are: lookups at the
 // corners of texels, each of which tells of the four around it, cover the box in which the tile's water lies and all that its
 // pixels blend into it. Where foam may be strewn, that is the whole patch.
-uint foamingCascades(Water water, float view) {
-  const float kMostDrawn = 1.25;   // by the warp, whose gradient is less than 4.6 of its deviation of 0.05
+uint foamingCascades(Water water) {
   const float kMostLookups = 4.0;  // along a side of the box
   float across = water.farthest * frame.waterAlbedo.w;
-  float side = across / clamp(view - kSteepFace, 0.02, 1.0);
+  float side = across * kLongestSide;
   vec2 middle = 0.5 * (water.low + water.high);
   float drift = foamDrift() * (frame.thinCrest.w > 0.0 ? 1.0 : 0.5);  // seaPoint()'s two lookups without lanes lie halfway
-  vec2 drawn = 0.5 * kMostDrawn * (water.high - water.low) + drift * abs(frame.foam.zw);
+  vec2 drawn = warped(0.5 * (water.high - water.low)) + drift * abs(frame.foam.zw);
   vec2 q = middle + waveWarp(frame.waves.warp, middle);
   uint mask = 0u;
   for (uint c = 0u; c < notWrittenIn(frame.waves.cascades); ++c) {
     vec4 placement = frame.waves.placement[c];
     float texel = placement.w / float(frame.waves.size);
-    // Texels up to twice as long as a pixel's side are blended, and a storm moves a lookup by up to one of the finest.
+    // Texels up to twice as long as a pixel's side are blended, and a storm moves a lookup by up to one of the finest. A texel that
+    // is no longer than those of the lookups here is told of whole.
     vec2 reach = drawn + max(side, 0.5 * texel) + texel * frame.thinCrest.w;
-    float longest = 2.0 * max(reach.x, reach.y);
+    float step = max(2.0 * max(reach.x, reach.y) / (2.0 * kMostLookups - 1.0), 2.0 * side);
     bool strewn = across * placement.x * kStrewnFootprint > 1.0;
-    float lod = min(ceil(waveLod(placement, float(frame.waves.size), longest / (2.0 * kMostLookups - 1.0))), frame.waves.maxLod);
+    float lod = min(ceil(waveLod(placement, float(frame.waves.size), step)), frame.waves.maxLod);
     lod = strewn ? frame.waves.maxLod : lod;
     float texels = float(frame.waves.size) * exp2(-lod);
     vec2 first = floor(waveUv(placement, q - reach) * texels), last = waveUv(placement, q + reach) * texels;
@@ -102,7 +112,7 @@ void main() {
   if (!water.everywhere) append(night ? kNightTiles : kSkyTiles, tile, 0u);
   if (water.distance < 0.0) return;
   float view = steepestView(tile);
-  uint foaming = foamingCascades(water, view);
+  uint foaming = foamingCascades(water);
   uint cascades = cascadesToSample(footprintSide(water.distance * frame.waterAlbedo.w, view));
   // Clouds hide the sea from an eye above them.
   bool veiled = kHasClouds && frame.absorption.w > light.cloudPlace.w;

@@ -8,9 +8,10 @@
 // the view, of which `slant` is the sine. A square stands for it whose side lies between the ellipse's two, nearer the
 // longer one and far off half of that: what it leaves unresolved across is variance, what it misses along shows as slope, so
 // that no variance is lost. A larger one smears the ripples of near water into streaks, a smaller one lets far water sparkle.
+const float kLongestSide = 48.0;  // of the square, pixels' widths
 float footprintSide(float across, float slant) {
   float root = inversesqrt(max(slant, 1e-4));
-  return across * clamp(root * max(sqrt(root), 0.5 * root), 1.0, 48.0);
+  return across * clamp(root * max(sqrt(root), 0.5 * root), 1.0, kLongestSide);
 }
 
 // A cascade holds no wave longer than 1/16 of its patch (pelagic::waveLayout), so that a footprint of that length [m]

@@ -36,7 +36,7 @@ vec3 levelled(vec3 d, vec2 p) {
 // it shows none.
 float distanceToNeighbour(ivec2 pixel, vec2 p, vec2 away) {
   if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return -1.0;
-  if (texelFetch(waterDepth, pixel, 0).x == frame.rayY.w) return -1.0;
+  if (texelFetch(waterBody, pixel, 0).r == 0u) return -1.0;
   return abs(dot(texelFetch(waterPosition, pixel, 0).xy - p, away));
 }
 

@@ -12,8 +12,8 @@ using support::OceanScene;
 
 constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
                                    "calm-dawn",  "noon-calm",      "moonlit"};
-// The zoom below changes their far water 1.4 to 6 times as much as the near, likely since far crests stand before each
-// other within a pixel, which shows one; a pan does not.
+// FarWaterIsCalmerInAZoom's changes their far water 1.4 to 1.5 times as much as the near, likely since far crests stand
+// before each other within a pixel, which shows one; a pan does not.
 constexpr const char* kHighSeas[] = {"gale", "storm", "overcast-swell"};
 constexpr VkExtent2D kExtent{320, 180};
 constexpr double kAspect = 1.0 * kExtent.width / kExtent.height;
@@ -172,7 +172,7 @@ TEST_F(OceanGlitterTest, FarPixelsAreCalmerInAZoomOnEveryPicture) {
     }
     std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
     const std::size_t third = seen.size() / 3;
-    ASSERT_GT(third, 8000u) << name;
+    EXPECT_GT(third, 8000u) << name;
     double near = 0, far = 0;
     for (std::size_t i = 0; i < third; ++i) {
       near += seen[i].variance;

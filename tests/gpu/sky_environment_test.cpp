@@ -220,7 +220,7 @@ TEST_F(SkyEnvironmentTest, AGivenSunIsBesideThePicture) {
   EXPECT_NEAR(light.skyIrradiance.g, irradianceOf(picture).g, 1e-4 * irradianceOf(picture).g);
 }
 
-TEST_F(SkyEnvironmentTest, OfTheStateTheHazeAloneCounts) {
+TEST_F(SkyEnvironmentTest, OfTheStateTheHazeAndItsHeightAloneCount) {
   SkyState state;
   state.clouds.cover = 0.6;
   state.overcast = 0.3;

@@ -79,7 +79,8 @@ TEST_F(SkyTest, SunlightIsWhatQuadratureLeavesOfIt) {
       const auto light = draw(sky, state).light;
       const dvec3 expected = transmittance(state.sunElevation, haze, hazeHeight);
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(light.sunIrradiance[c], expected[c], 0.01 * expected[c]) << degrees << ' ' << haze << ' ' << c;
+        EXPECT_NEAR(light.sunIrradiance[c], expected[c], 0.01 * expected[c])
+            << degrees << ' ' << haze << ' ' << hazeHeight << ' ' << c;
         EXPECT_NEAR(light.sunRadiance[c], expected[c] / (kPi * 0.004675 * 0.004675), 0.01 * light.sunRadiance[c]);
       }
       const dvec3 toSun(std::cos(state.sunElevation) * std::cos(2.0), std::sin(state.sunElevation),

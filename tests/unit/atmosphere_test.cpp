@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <pelagic/sky.hpp>
 
 #include "physics/atmosphere.glsl"
 
@@ -66,7 +67,7 @@ TEST(Atmosphere, VerticalOpticalDepthHasItsClosedForm) {
 }
 
 TEST(Atmosphere, AerosolAndOzoneColumnsAreTheMeasuredOnes) {
-  EXPECT_NEAR(air::kMieExtinction.y * 1200, 0.07, 0.001);
+  EXPECT_NEAR(double(air::kMieExtinction.y) * pelagic::SkyState{}.hazeHeight, 0.07, 0.001);
   // 300 Dobson units at the Rec.709 green's mean cross-section of 3.2e-25 m^2.
   EXPECT_NEAR(air::kOzoneAbsorption.y * 15000, 300 * 2.687e20 * 3.18e-25, 0.001);
 }
