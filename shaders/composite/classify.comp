@@ -72,8 +72,8 @@ uint foamingCascades(Water water) {
   for (uint c = 0u; c < notWrittenIn(frame.waves.cascades); ++c) {
     vec4 placement = frame.waves.placement[c];
     float texel = placement.w / float(frame.waves.size);
-    // Texels up to twice as long as a pixel's side are blended, and a storm moves a lookup by up to one of the finest. A texel that
-    // is no longer than those of the lookups here is told of whole.
+    // Texels up to twice as long as a pixel's side are blended, and a storm moves a lookup by up to one of the finest. A
+    // texel that is no longer than those of the lookups here is told of whole.
     vec2 reach = drawn + max(side, 0.5 * texel) + texel * frame.thinCrest.w;
     float step = max(2.0 * max(reach.x, reach.y) / (2.0 * kMostLookups - 1.0), 2.0 * side);
     bool strewn = across * placement.x * kStrewnFootprint > 1.0;

@@ -41,6 +41,7 @@ struct SkyPass {
   vec4 sunPlace;       // xyz toward the sun, also where sunDirection is the moon's, w 1: the moon casts the shadows
   vec4 stars;          // as in SkyLight
   vec2 haze;           // aerosols: amount [1], scale height [m]
+  vec2 padding;
 };
 
 // Push constants of the pass that shows a host's picture.
