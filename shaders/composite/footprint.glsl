@@ -4,11 +4,13 @@
 #include "pelagic/shader/wave_lookup.glsl"
 #include "physics/sheet.glsl"
 
+// Longest side of the square that stands for a pixel's footprint, in pixels' widths.
+const float kLongestSide = 48.0;
+
 // The maps' mips are square, a pixel's footprint on the water is an ellipse `across` [m] wide and drawn out by the slant of
 // the view, of which `slant` is the sine. A square stands for it whose side lies between the ellipse's two, nearer the
 // longer one and far off half of that: what it leaves unresolved across is variance, what it misses along shows as slope, so
 // that no variance is lost. A larger one smears the ripples of near water into streaks, a smaller one lets far water sparkle.
-const float kLongestSide = 48.0;  // of the square, pixels' widths
 float footprintSide(float across, float slant) {
   float root = inversesqrt(max(slant, 1e-4));
   return across * clamp(root * max(sqrt(root), 0.5 * root), 1.0, kLongestSide);
