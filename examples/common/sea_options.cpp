@@ -156,6 +156,8 @@ Fields seaFields(SeaSettings& sea) {
        "cascade; where its first pixel lies and how far apart they are; 'none' for no map",
        [&sea](const std::string& where, const Texts& t) { sea.gain = parseGainMap(where, t.front()); }},
       numberField("choppiness", "X", "Horizontal displacement, 1 is physical", {0, 2, ""}, state.choppiness),
+      numberField("asymmetry", "X", "How far wind waves lean forward, 0 not at all, 1 as measured slopes are skewed",
+                  {0, 2, ""}, state.asymmetry),
       wholeField("seed", "N", "Seed of the random numbers", 0, std::numeric_limits<std::uint64_t>::max(),
                  [&state](std::uint64_t seed) { state.seed = seed; }),
       numberField("loop", "SECONDS", "Period after which the sea repeats exactly", {1, 4194304, "s"}, sea.loopPeriod),

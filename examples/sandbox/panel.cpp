@@ -105,6 +105,7 @@ void drawSea(common::SeaSettings& sea, Clock& clock, Changes& changes) {
   changed |= choose("Spectrum", state.spectrum, common::spectra());
   changed |= choose("Spreading", state.spreading, common::spreadings());
   changed |= slide("Choppiness", state.choppiness, 0, 2);
+  changed |= slide("Asymmetry", state.asymmetry, 0, 2);
   changed |= slide("Swell sharpening", state.swellSharpening, 0, 1);
   changed |= drawOctaves(state.octaveGain);
   changed |= drawSwell(state.swell);

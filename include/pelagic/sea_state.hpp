@@ -93,6 +93,10 @@ struct SeaState {
   /// swellSpectrum(). 1 is physical.
   std::array<double, kOctaves> octaveGain{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
+  /// How far the waves of the wind lean forward, steeper in front than behind [1], 0 … 2. 0: the linear theory's
+  /// symmetric crests; 1: such that the slopes along the wind are as skewed as Cox & Munk measured,
+  /// coxMunkSkewness(). Breaking moves from crests to front faces with it. Swell and trochoids do not lean.
+  double asymmetry = 0;
   std::vector<Swell> swell;
   /// Single waves, at most 256. Each takes the place of the random waves of its mode. The sum of Q k A of all trochoids
   /// is held at 1 / (1 + 4.6 WavesInfo::warp) at most, so that no crest loops where the warp shortens waves most:

@@ -51,6 +51,9 @@ double longestPeakWavelength(const SeaState& sea) noexcept;
 /// Measured slopes of the real sea, Cox & Munk (1954): 0.00316 U up-wind, 0.003 + 0.00192 U across; U10 is used for
 /// U12.5.
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept;
+/// Skewness of the measured slopes along the direction the wind blows toward [1], Cox & Munk (1954): 0.04 - 0.033 U,
+/// within 0.12; 0 where that is positive, and no lower beyond the 14 m/s they had. Negative: steeper in front.
+double coxMunkSkewness(double windSpeed) noexcept;
 /// Fraction of the surface under whitecaps, Monahan & O'Muircheartaigh (1980): 3.84e-6 U10^3.41, at most 1; none in
 /// winds below 3.7 m/s, where Callaghan et al. (2008) saw none.
 double whitecapFraction(double windSpeed) noexcept;

@@ -82,7 +82,7 @@ void CpuLattice::add(const Wave& wave, std::uint64_t fraction, const Share& shar
   const auto growth = static_cast<float>(share.rate);
   const auto sum = [&](Spectral& target, const glm::vec2& part) {
     target.h += part;
-    target.chop += wave.chop * part;
+    target.chop += times(wave.chop, part);
   };
   sum(mode.elevation, value * h);
   sum(mode.rate, value * rate + growth * h);

@@ -55,7 +55,7 @@ class CpuLattice {
   /// A mode of one sea.
   struct Wave {
     std::uint32_t cycles = 0;
-    float chop = 0;       ///< As ModeConstants.
+    glm::vec2 chop{0};    ///< As ModeConstants.
     float frequency = 0;  ///< Quantised [rad/s].
     glm::vec4 amplitude{0};
   };

@@ -2,6 +2,7 @@
 #include <complex>
 #include <numbers>
 #include <waves/closure.hpp>
+#include <waves/lean.hpp>
 #include <waves/modes.hpp>
 
 namespace pelagic {
@@ -42,7 +43,7 @@ void putTrochoid(const GridTrochoid& trochoid, std::uint32_t n, CascadeModes& mo
   modes.amplitude[opposite] = glm::vec4(0, 0, half.x, -half.y);
   for (const std::size_t mode : {index, opposite}) {
     modes.variance[mode] = 0.25 * wave.amplitude * wave.amplitude;
-    modes.constants[mode].chop = static_cast<float>(wave.steepness * wave.wavelength / kTwoPi);
+    modes.constants[mode].chop = {static_cast<float>(wave.steepness * wave.wavelength / kTwoPi), 0};
   }
 }
 
@@ -64,6 +65,8 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
   const std::size_t total = static_cast<std::size_t>(n) * n;
 
   std::vector<double> energy(total, 0.0);  // Psi(k) dk^2
+  std::vector<double> ofWind(total, 0.0);  // the wind sea's part of it
+  const double lean = leanWithWind(sea);
   CascadeModes modes;
   modes.amplitude.assign(total, glm::vec4(0));
   modes.constants.assign(total, {});
@@ -80,7 +83,9 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
       const double kx = dk * modeOf(column, n);
       const double kz = dk * modeOf(row, n);
       const double kept = std::hypot(kx, kz) < trochoids.cut ? trochoids.kept : 1;
-      energy[row * n + column] = kept * waveNumberSpectrum(sea, kx, kz) * dk * dk;
+      const WindAndSwell spectra = waveNumberSpectra(sea, kx, kz);
+      energy[row * n + column] = kept * (spectra.wind + spectra.swell) * dk * dk;
+      ofWind[row * n + column] = kept * spectra.wind * dk * dk;
     }
   }
   for (std::uint32_t row = 0; row < n; ++row) {
@@ -96,8 +101,13 @@ CascadeModes makeModes(const SeaState& sea, const WaveLayout& layout, std::uint3
       modes.variance[index] = 0.5 * (energy[index] + energy[opposite]);
       const double k = dk * std::hypot(mx, mz);
       const double cycles = std::round(angularFrequency(k, sea.depth) * loopPeriod / kTwoPi);
+      // Both waves of a pair lean with the wind: the phase turns its sign with k.
+      const double both = energy[index] + energy[opposite];
+      const double windShare = both > 0 ? (ofWind[index] + ofWind[opposite]) / both : 0;
+      const double angle = lean * windShare * std::cos(std::atan2(mz, mx) - sea.windDirection);
+      const double chop = sea.choppiness / (std::tanh(k * sea.depth) * k);
       modes.constants[index] = {static_cast<std::uint32_t>(std::fmax(1, cycles)),
-                                static_cast<float>(sea.choppiness / (std::tanh(k * sea.depth) * k))};
+                                glm::vec2(glm::dvec2(std::cos(angle), -std::sin(angle)) * chop)};
     }
   }
   for (const GridTrochoid& trochoid : trochoids.waves) {
@@ -120,7 +130,7 @@ CascadeMoments momentsOf(const CascadeModes& modes, const Cascade& cascade, std:
     for (std::uint32_t column = 0; column < size; ++column) {
       const std::size_t mode = static_cast<std::size_t>(row) * size + column;
       const double variance = modes.variance[mode];
-      const double chop = static_cast<double>(modes.constants[mode].chop);
+      const double chop = glm::length(glm::dvec2(modes.constants[mode].chop));
       const double kx = dk * modeOf(column, size);
       const double kz = dk * modeOf(row, size);
       sum.elevation += variance;

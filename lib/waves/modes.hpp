@@ -9,13 +9,19 @@
 
 namespace pelagic {
 
+/// Product of complex numbers.
+inline glm::vec2 times(const glm::vec2& a, const glm::vec2& b) noexcept {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
 /// Signed mode number of index i in FFT order.
 int modeOf(std::uint32_t i, std::uint32_t size) noexcept;
 
-/// What the evolve pass knows of a mode besides its amplitude (16-byte std430 pairs of it and `amplitude` below).
-struct ModeConstants {
+/// What the evolve pass knows of a mode besides its amplitude: a texel of four words.
+struct alignas(16) ModeConstants {
   std::uint32_t cycles = 0;  ///< n: the mode turns n times per loop period; 0 where the mode does not exist.
-  float chop = 0;            ///< choppiness coth(k h) / k [m]; D = i k chop h.
+  /// choppiness coth(k h) / k e^{-i lean} [m], a complex number; D = i k chop h. The lean turns its sign with k.
+  glm::vec2 chop{0};
 };
 
 /// All modes of one cascade, N x N in FFT order, row = z.

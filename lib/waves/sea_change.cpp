@@ -43,9 +43,6 @@ SeaMoments differenceOf(const GridSea& a, const GridSea& b, const WavesInfo& inf
 glm::vec4 frozen(const glm::vec4& before, const glm::vec4& after, float share, double lag) noexcept {
   const auto turn = std::polar(1.0, lag);
   const glm::vec2 e(static_cast<float>(turn.real()), static_cast<float>(turn.imag()));
-  const auto times = [](const glm::vec2& a, const glm::vec2& b) {
-    return glm::vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-  };
   const glm::vec2 forward = times({before.x, before.y}, {e.x, -e.y});
   const glm::vec2 backward = times({before.z, before.w}, e);
   return glm::mix(glm::vec4(forward, backward), after, share);

@@ -29,9 +29,13 @@ Result<void> validate(const SeaState& sea) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kAnyAngle = 1e6;  // finite, and small enough to keep its fraction of a turn
   const Field fields[] = {
-      {"windSpeed", sea.windSpeed, 0.1, 60, "m/s"}, {"windDirection", sea.windDirection, -kAnyAngle, kAnyAngle, "rad"},
-      {"fetch", sea.fetch, 100, 1e7, "m"},          {"depth", sea.depth, 0.5, kInfinity, "m"},
-      {"choppiness", sea.choppiness, 0, 2, ""},     {"swellSharpening", sea.swellSharpening, 0, 1, ""},
+      {"windSpeed", sea.windSpeed, 0.1, 60, "m/s"},
+      {"windDirection", sea.windDirection, -kAnyAngle, kAnyAngle, "rad"},
+      {"fetch", sea.fetch, 100, 1e7, "m"},
+      {"depth", sea.depth, 0.5, kInfinity, "m"},
+      {"choppiness", sea.choppiness, 0, 2, ""},
+      {"asymmetry", sea.asymmetry, 0, 2, ""},
+      {"swellSharpening", sea.swellSharpening, 0, 1, ""},
   };
   for (const Field& field : fields) PELAGIC_CHECK(check("SeaState", field));
   for (std::size_t i = 0; i < kOctaves; ++i) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <pelagic/spectrum.hpp>
+#include <waves/lean.hpp>
 #include <waves/spectrum_table.hpp>
 #include <waves/spreading.hpp>
 #include <waves/unified.hpp>
@@ -244,16 +245,22 @@ double frequencySpectrum(const SeaState& sea, double w) noexcept {
 
 double windSeaSpreading(const SeaState& sea, double w, double theta) noexcept { return WindDirections(sea, w)(theta); }
 
-double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept {
+WindAndSwell waveNumberSpectra(const SeaState& sea, double kx, double kz) noexcept {
   const double k = std::hypot(kx, kz);
-  if (!(k > 0)) return 0;
+  if (!(k > 0)) return {};
   const double w = angularFrequency(k, sea.depth);
   const double direction = std::atan2(kz, kx);
-  double sum = windSea(sea, w, k) * windSeaSpreading(sea, w, direction - sea.windDirection);
+  const double scale = energyGain(sea, k) * groupSpeed(k, sea.depth) / k;
+  WindAndSwell sum{windSea(sea, w, k) * windSeaSpreading(sea, w, direction - sea.windDirection) * scale, 0};
   for (const Swell& swell : sea.swell) {
-    sum += swellSpectrum(swell, w) * cosinePower(swell.spread, direction - swell.direction);
+    sum.swell += swellSpectrum(swell, w) * cosinePower(swell.spread, direction - swell.direction) * scale;
   }
-  return sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k;
+  return sum;
+}
+
+double waveNumberSpectrum(const SeaState& sea, double kx, double kz) noexcept {
+  const WindAndSwell spectra = waveNumberSpectra(sea, kx, kz);
+  return spectra.wind + spectra.swell;
 }
 
 double elevationVariance(const SeaState& sea, double kMin, double kMax) noexcept {
@@ -324,6 +331,8 @@ double longestPeakWavelength(const SeaState& sea) noexcept {
 }
 
 SlopeVariance coxMunkSlopes(double windSpeed) noexcept { return {0.00316 * windSpeed, 0.003 + 0.00192 * windSpeed}; }
+
+double coxMunkSkewness(double windSpeed) noexcept { return std::min(0.0, 0.04 - 0.033 * std::min(windSpeed, 14.0)); }
 
 double whitecapFraction(double windSpeed) noexcept {
   constexpr double kFirstWhitecaps = 3.7;  // m/s

@@ -113,7 +113,8 @@ Result<void> WaveTransform::createBuffers(gpu::Context& context, const WavesInfo
   }
   PELAGIC_TRY(amplitudes,
               gpu::createTexelView(context, "waves amplitudes", amplitudes_, vk::Format::eR32G32B32A32Sfloat));
-  PELAGIC_TRY(constants, gpu::createTexelView(context, "waves mode constants", constants_, vk::Format::eR32G32Uint));
+  PELAGIC_TRY(constants,
+              gpu::createTexelView(context, "waves mode constants", constants_, vk::Format::eR32G32B32A32Uint));
   PELAGIC_TRY(planes, gpu::createTexelView(context, "waves rows", planes_, vk::Format::eR32G32B32A32Sfloat));
   amplitudesView_ = std::move(amplitudes);
   constantsView_ = std::move(constants);

@@ -56,7 +56,7 @@ JacobianSpread jacobianSpread(const CascadeModes& modes, const Cascade& cascade,
       if (modes.constants[index].cycles == 0) continue;
       const double kx = dk * modeOf(column, size);
       const double kz = dk * modeOf(row, size);
-      const double chop = modes.constants[index].chop;
+      const double chop = glm::length(glm::dvec2(modes.constants[index].chop));
       const double stretch = chop * (kx * kx + kz * kz);  // s = -chop k^2 h
       const double w = kTwoPi * modes.constants[index].cycles / loopPeriod;
       variance += stretch * stretch * modes.variance[index];

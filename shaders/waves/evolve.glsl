@@ -21,11 +21,11 @@ float phase(uint cycles) {
 // h(k) = h0(k) e^{-i w t} + conj h0(-k) e^{+i w t} in xy, chop times that in zw.
 vec4 evolvedOne(int mode) {
   const vec4 amplitude = texelFetch(amplitudes, mode);
-  const uvec2 constants = texelFetch(modes, mode).xy;
+  const uvec3 constants = texelFetch(modes, mode).xyz;
   const vec2 w = unit(phase(constants.x));
   const vec2 h = vec2((amplitude.x + amplitude.z) * w.x + (amplitude.y - amplitude.w) * w.y,
                       (amplitude.y + amplitude.w) * w.x + (amplitude.z - amplitude.x) * w.y);
-  return vec4(h, uintBitsToFloat(constants.y) * h);
+  return vec4(h, times(uintBitsToFloat(constants.yz), h));
 }
 
 vec4 evolved(int mode) {

@@ -13,7 +13,7 @@ layout(push_constant) uniform Push { WaveMotionPush push; };
 // weights.x h + weights.y dh/dt + weights.z d2h/dt2 of a mode of one sea in xy, chop times that in zw.
 vec4 changeOfOne(int mode, vec3 weights) {
   const vec4 a = texelFetch(amplitudes, mode);
-  const uvec2 constants = texelFetch(modes, mode).xy;
+  const uvec3 constants = texelFetch(modes, mode).xyz;
   const vec2 w = unit(phase(constants.x));
   const vec2 forward = vec2(a.x * w.x + a.y * w.y, a.y * w.x - a.x * w.y);   // h0(k) e^{-i w t}
   const vec2 backward = vec2(a.z * w.x - a.w * w.y, a.w * w.x + a.z * w.y);  // conj h0(-k) e^{+i w t}
@@ -22,7 +22,7 @@ vec4 changeOfOne(int mode, vec3 weights) {
   const vec2 apart = backward - forward;
   const vec2 rate = frequency * vec2(-apart.y, apart.x);  // -i w forward + i w backward
   const vec2 sum = (weights.x - weights.z * frequency * frequency) * h + weights.y * rate;
-  return vec4(sum, uintBitsToFloat(constants.y) * sum);
+  return vec4(sum, times(uintBitsToFloat(constants.yz), sum));
 }
 
 // d/dt or d2/dt2 of share times h.

@@ -31,6 +31,7 @@ const std::vector<Bad>& badSea() {
       {"--gain-map", {"missing.exr,0,0,10"}, "an image"},
       {"--gain-map", {"missing.exr", "a,b"}, "FILE,X_M,Z_M,SPACING_M"},
       {"--choppiness", {"-0.1", "2.1", "nan"}, "0 to 2"},
+      {"--asymmetry", {"-0.1", "2.1", "nan"}, "0 to 2"},
       {"--seed", {"-1", "1.5", "18446744073709551616"}, "whole numbers from 0 to 18446744073709551615"},
       {"--loop", {"0.9", "4194305", "nan"}, "1 to 4194304 s"},
       {"--cascades", {"0", "9", "2.5"}, "whole numbers from 1 to 8"},

@@ -32,9 +32,9 @@ glm::dvec3 directSum(const pelagic::CascadeModes& modes, const pelagic::WavesInf
       const std::complex<double> h =
           std::complex<double>(a.x, a.y) * std::polar(1.0, -wt) + std::complex<double>(a.z, a.w) * std::polar(1.0, wt);
       const std::complex<double> wave = h * std::polar(1.0, kx * point.x + kz * point.y);
-      const double chop = static_cast<double>(modes.constants[index].chop);
-      // The real part of i k chop h e^{ikx} is -k chop Im(h e^{ikx}).
-      sum += glm::dvec3(-kx * chop * wave.imag(), wave.real(), -kz * chop * wave.imag());
+      const glm::dvec2 chop(modes.constants[index].chop);
+      const std::complex<double> moved = std::complex<double>(0, 1) * std::complex<double>(chop.x, chop.y) * wave;
+      sum += glm::dvec3((kx * moved).real(), wave.real(), (kz * moved).real());
     }
   }
   return sum;

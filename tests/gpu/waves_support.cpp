@@ -53,6 +53,7 @@ pelagic::WavesInfo wavesInfo(std::uint32_t size, std::uint32_t count, double win
   pelagic::WavesInfo info;
   info.sea.windSpeed = windSpeed;
   info.sea.windDirection = 0.5;
+  info.sea.asymmetry = 1;
   info.layout = pelagic::waveLayout(info.sea, count, size).value();
   info.precision = pelagic::MapPrecision::single;
   return info;
@@ -73,8 +74,10 @@ Fields referenceFields(const pelagic::WavesInfo& info, std::uint32_t cascade, do
       const double angle = phase(modes.constants[index].cycles, time, info.loopPeriod);
       const Complex h = Complex(a.x, a.y) * std::polar(1.0, -angle) + Complex(a.z, a.w) * std::polar(1.0, angle);
       const Complex i(0, 1);
-      const Complex dx = i * kx * static_cast<double>(modes.constants[index].chop) * h;
-      const Complex dz = i * kz * static_cast<double>(modes.constants[index].chop) * h;
+      const glm::dvec2 chop(modes.constants[index].chop);
+      const Complex moved = i * Complex(chop.x, chop.y) * h;
+      const Complex dx = kx * moved;
+      const Complex dz = kz * moved;
       const Complex values[kFields] = {h, dx, dz, i * kx * h, i * kz * h, i * kx * dx, i * kz * dz, i * kx * dz};
       for (std::size_t f = 0; f < kFields; ++f) spectra[f][index] = values[f];
     }

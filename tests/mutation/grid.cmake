@@ -12,10 +12,10 @@ wrong_formula(inner_mode RIGHT "outerMode / 16" WRONG "outerMode / 8" CAUGHT_BY 
 set(source modes.cpp)
 wrong_formula(sqrt_2 RIGHT "-std::log(u1)" WRONG "-2 * std::log(u1)"
               CAUGHT_BY Modes.AmplitudesAreGaussianWithTheExpectedVariance)
-wrong_formula(dk RIGHT "waveNumberSpectrum(sea, kx, kz) * dk * dk" WRONG "waveNumberSpectrum(sea, kx, kz) * dk"
+wrong_formula(dk RIGHT "(spectra.wind + spectra.swell) * dk * dk" WRONG "(spectra.wind + spectra.swell) * dk"
               CAUGHT_BY Modes.CarryTheSpectrumsEnergy)
-wrong_formula(transposed RIGHT "waveNumberSpectrum(sea, kx, kz) * dk * dk"
-              WRONG "waveNumberSpectrum(sea, kz, kx) * dk * dk" CAUGHT_BY Modes.CarryTheSpectrumsEnergy)
+wrong_formula(transposed RIGHT "waveNumberSpectra(sea, kx, kz)" WRONG "waveNumberSpectra(sea, kz, kx)"
+              CAUGHT_BY Modes.CarryTheSpectrumsEnergy)
 wrong_formula(half RIGHT "std::sqrt(0.5 * energy[index])" WRONG "std::sqrt(energy[index])"
               CAUGHT_BY Modes.AmplitudesAreGaussianWithTheExpectedVariance)
 wrong_formula(half_backward RIGHT "std::sqrt(0.5 * energy[opposite])" WRONG "std::sqrt(energy[opposite])"
@@ -40,6 +40,11 @@ wrong_formula(chop_coth RIGHT "sea.choppiness / (std::tanh(k * sea.depth) * k)" 
 wrong_formula(chop_tanh RIGHT "sea.choppiness / (std::tanh(k * sea.depth) * k)"
               WRONG "sea.choppiness * std::tanh(k * sea.depth) / k"
               CAUGHT_BY Modes.MoveWaterSidewaysAsFarAsUpwardInDeepWaterAndFartherInShallow)
+wrong_formula(lean_backward RIGHT "-std::sin(angle)" WRONG "std::sin(angle)"
+              CAUGHT_BY Lean.SkewsSlopesAsCoxAndMunkMeasured)
+wrong_formula(lean_direction RIGHT "std::atan2(mz, mx) - sea.windDirection" WRONG "std::atan2(mz, mx)"
+              CAUGHT_BY Lean.IsOfTheWindSeaAndWithTheWind)
+wrong_formula(lean_of_swell RIGHT "lean * windShare" WRONG "lean" CAUGHT_BY Lean.IsOfTheWindSeaAndWithTheWind)
 wrong_formula(loop_fraction RIGHT "rest / loopPeriod" WRONG "rest / (2 * loopPeriod)"
               CAUGHT_BY LoopFraction.IsExactForLongTimes)
 wrong_formula(loop_bits RIGHT "std::ldexp(fraction, 64)" WRONG "std::ldexp(fraction, 63)"
@@ -52,6 +57,11 @@ wrong_formula(slope_axes RIGHT "glm::dvec3(kx * kx, kz * kz, kx * kz)" WRONG "gl
               CAUGHT_BY GridSea.ReportsSlopesAlongTheWind)
 wrong_formula(slope_covariance RIGHT "glm::dvec3(kx * kx, kz * kz, kx * kz)"
               WRONG "glm::dvec3(kx * kx, kz * kz, -kx * kz)" CAUGHT_BY GridSea.ReportsSlopesAlongTheWind)
+
+set(source lean.cpp)
+wrong_formula(cube RIGHT "6 * kAlong" WRONG "3 * kAlong" CAUGHT_BY Lean.SkewsSlopesAsCoxAndMunkMeasured)
+wrong_formula(deviation RIGHT "std::sqrt(coxMunkSlopes(sea.windSpeed).upwind)" WRONG "coxMunkSlopes(sea.windSpeed).upwind"
+              CAUGHT_BY Lean.SkewsSlopesAsCoxAndMunkMeasured)
 
 set(source grid_sea.cpp)
 wrong_formula(along_wind RIGHT "covariance.x * c * c + covariance.y * s * s + 2 * covariance.z * c * s"
@@ -103,6 +113,8 @@ wrong_formula(sign_of_time RIGHT "kTwoPi * 0x1p-64 * static_cast<double>(turn)"
               WRONG "-kTwoPi * 0x1p-64 * static_cast<double>(turn)"
               CAUGHT_BY Query.WavesRunWithTheWindAndWaterCirclesForwardOnCrests)
 wrong_formula(backward_sign RIGHT "a.w * e.x + a.z * e.y" WRONG "a.w * e.x - a.z * e.y"
+              CAUGHT_BY Query.LatticeIsTheSumOfTheModesAtAnyTime)
+wrong_formula(lean RIGHT "times(wave.chop, part)" WRONG "wave.chop.x * part"
               CAUGHT_BY Query.LatticeIsTheSumOfTheModesAtAnyTime)
 wrong_formula(frequency RIGHT "kTwoPi * constants.cycles / loopPeriod_" WRONG "constants.cycles / loopPeriod_"
               CAUGHT_BY Query.GradientsAndMotionAreDerivatives)

@@ -73,16 +73,17 @@ wrong_formula(sharpening_square RIGHT "sea.swellSharpening * sea.swellSharpening
               CAUGHT_BY Spreadings.SwellSharpeningAddsToTheExponentAndKeepsTheIntegral)
 wrong_formula(table_direction RIGHT "theta + sea_.windDirection" WRONG "theta - sea_.windDirection"
               CAUGHT_BY Table.DirectionsAreThoseOfTheWorld)
-wrong_formula(no_dw_dk RIGHT "sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
-              WRONG "sum * energyGain(sea, k) / k" CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
-wrong_formula(dk_dw RIGHT "sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
-              WRONG "sum * energyGain(sea, k) / groupSpeed(k, sea.depth) / k"
+wrong_formula(skewness RIGHT "0.04 - 0.033 * std::min" WRONG "0.04 - 0.33 * std::min" CAUGHT_BY Lean.HasTheSkewnessOfThePaper)
+wrong_formula(no_dw_dk RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
+              WRONG "energyGain(sea, k) / k" CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
+wrong_formula(dk_dw RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
+              WRONG "energyGain(sea, k) / groupSpeed(k, sea.depth) / k"
               CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
-wrong_formula(no_1_over_k RIGHT "sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
-              WRONG "sum * energyGain(sea, k) * groupSpeed(k, sea.depth)"
+wrong_formula(no_1_over_k RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
+              WRONG "energyGain(sea, k) * groupSpeed(k, sea.depth)"
               CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
-wrong_formula(phase_speed RIGHT "sum * energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
-              WRONG "sum * energyGain(sea, k) * w / (k * k)"
+wrong_formula(phase_speed RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
+              WRONG "energyGain(sea, k) * w / (k * k)"
               CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
 wrong_formula(transposed RIGHT "std::atan2(kz, kx)" WRONG "std::atan2(kx, kz)"
               CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)

@@ -258,7 +258,8 @@ TEST(Modes, TurnAWholeNumberOfTimesPerLoop) {
     const double k = kTwoPi / layout.cascades[0].length * 5;
     const double exact = angularFrequency(k, 15) * period / kTwoPi;
     EXPECT_NEAR(modes.constants[5].cycles, exact, 0.5);
-    EXPECT_NEAR(modes.constants[5].chop, 1 / (k * std::tanh(k * 15)), 1e-6 / k);
+    EXPECT_NEAR(modes.constants[5].chop.x, 1 / (k * std::tanh(k * 15)), 1e-6 / k);
+    EXPECT_EQ(modes.constants[5].chop.y, 0) << "no lean unless asked for";
   }
 }
 

@@ -38,9 +38,9 @@ glm::dvec3 directSum(const WavesInfo& info, std::uint32_t cascade, const glm::dv
       const auto e = std::polar(1.0, kTwoPi * turns / info.loopPeriod);
       const std::complex<double> h = std::complex(a.x, a.y) * std::conj(e) + std::complex(a.z, a.w) * e;
       const std::complex<double> wave = h * std::polar(1.0, glm::dot(k, p));
-      const double chop = static_cast<double>(modes.constants[index].chop);
-      sum += glm::dvec3((wave * std::complex(0.0, chop * k.x)).real(), wave.real(),
-                        (wave * std::complex(0.0, chop * k.y)).real());
+      const glm::dvec2 chop(modes.constants[index].chop);
+      const std::complex<double> moved = std::complex(0.0, 1.0) * std::complex(chop.x, chop.y) * wave;
+      sum += glm::dvec3((k.x * moved).real(), wave.real(), (k.y * moved).real());
     }
   }
   return sum;
@@ -50,6 +50,7 @@ TEST(Query, LatticeIsTheSumOfTheModesAtAnyTime) {
   SeaState sea;
   sea.windSpeed = 12;
   sea.windDirection = 0.6;
+  sea.asymmetry = 1.3;
   WavesInfo info = infoOf(sea);
   for (const double loop : {4194304.0, 977.0}) {
     info.loopPeriod = loop;
