@@ -44,7 +44,7 @@ struct WaterMedium {
   glm::vec3 backscatter{0.0017f, 0.0022f, 0.0030f};  ///< b_b [1/m], 0 … 100.
   /// Standard deviation of the slope variance of short waves over its mean [1], 0 … 0.5: films of oil gather into
   /// slicks, where there are hardly any ripples, and stay until the wind stirs them in at about 7 m/s (Romano 1996);
-  /// gusts roughen the sea between. In bands along the wind, 4 to 256 m wide, which stay where they are, but for
+  /// gusts roughen the sea between. In bands along the wind, 4 m to 1 km wide, which stay where they are, but for
   /// a change of the sea that turns the wind: halfway they turn at once. In the light alone; in the mean over the sea
   /// its variance is the same. Short are the waves of cascades with patches of less than 24 m and those that none
   /// holds: of less than 0.4 to 1.7 m in layouts of 4 or more cascades of 256². 0: the sea is as rough everywhere.

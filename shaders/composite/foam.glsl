@@ -46,23 +46,25 @@ struct Foam {
 };
 const float kFoamAlbedo = 0.78;  // of foam that hides the water
 const float kFoamHeight = 0.12;  // of a unit of the pattern [m]
-const float kFoamOpacity = 30.0;  // half the transport optical depth of a unit of the pattern
-const float kFoamShade = 2.0;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
+const float kFoamOpacity = 20.0;  // half the transport optical depth of a unit of the pattern
+const float kFoamShade = 2.5;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
 
 const int kFoamTaps = 3;
+// An edge is no line: bubbles thin out over this deviation of the pattern. What stands above a level has that and the pattern's.
+const float kFoamEdge = 0.08;
+const float kFoamLevels = 0.18653;  // root of kWhole^2 + kFoamEdge^2
 
 // The share of the sea above a level of the pattern is what the freshness asks for, at every distance: near by the level
 // cuts lace out of the pattern, far off the share itself is what is left. The pixel covers `along` [m] of the water away
 // from the eye and `across`: taps in a row, each as wide as its part of the longer side. `lane`: how far old foam gathers here.
 Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
-  const float kEdge = 0.03;  // softness of an edge near by
   vec2 q = (frame.foam.xy + alongWind(p)) * vec2(0.5, 1.0);
   // In a strong wind older foam gathers in streaks along it.
   float gathered = mix(1.0, max(4.0 * lane - 1.0, 0.0), frame.thinCrest.w);
   float aged = clamp(freshness * gathered, 0.0, 1.0);
   float share = clamp(mix(aged, freshness, freshness), 0.0, 0.995);
   // Normal quantiles by the logistic, Phi(z) ~ 1 / (1 + e^(-1.702 z)).
-  float level = kWhole / 1.702 * log((1.0 - share) / max(share, 1e-4));
+  float level = kFoamLevels / 1.702 * log((1.0 - share) / max(share, 1e-4));
 
   // Torn, where the lanes' field is steep.
   q += vec2(3.0, 0.7) * lane;
@@ -70,13 +72,13 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   float footprint = max(across, length(along) / float(kFoamTaps));
   q -= step * (0.5 * float(kFoamTaps - 1));
   float density = kFoamOpacity * mix(0.6, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age
-  float middle = -kWhole / 1.702 * log(1.0 - share) / max(share, 1e-4);  // thickness of what is covered, in the mean
+  float middle = -kFoamLevels / 1.702 * log(1.0 - share) / max(share, 1e-4);  // thickness of what is covered, in the mean
   float cover = 0.0, hidden = 0.0, shade = 0.0, first = 0.0, last = 0.0;
   int tap = 0;
   do {
     FoamPattern pattern = foamPattern(q, footprint);
     // A layer of bubbles as thick as the pattern stands above the level.
-    float spread = max(pattern.unresolved, kEdge);
+    float spread = sqrt(pattern.unresolved * pattern.unresolved + kFoamEdge * kFoamEdge);
     float x = 1.702 * clamp((pattern.height - level) / spread, -20.0, 20.0);
     float part = 1.0 / (1.0 + exp(-x));
     float thickness = spread * log(1.0 + exp(x)) / (1.702 * part);

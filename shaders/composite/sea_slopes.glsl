@@ -42,10 +42,10 @@ float foamLane(vec2 p, float side) {
   return 0.5 + 0.6 * clamp(1.5 - side / 16.0, 0.0, 1.0) * wide + 0.4 * clamp(1.5 - side / 4.0, 0.0, 1.0) * narrow;
 }
 
-// Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 4, 16, 64 and 256 m wide and
+// Slope variance of short waves at a place per its mean: slicks and gusts in bands along the wind, 4, 16, 64, 256 and 1024 m wide and
 // four times as long, as far as the footprint `side` [m] resolves them.
 float slickVariance(vec2 p, float side) {
-  const float kDeviation = 0.429;  // of the four octaves
+  const float kDeviation = 0.480;  // of the five octaves
   vec2 q = (frame.slicks.xy + alongWind(p)) * vec2(1.0 / 16.0, 1.0 / 4.0);
   uvec2 cells = uvec2(uint(kSlickPeriod) / 16u, uint(kSlickPeriod) / 4u);
   float width = 4.0, sum = 0.0;
@@ -54,7 +54,7 @@ float slickVariance(vec2 p, float side) {
     width *= 4.0;
     q = 0.25 * q + 17.3;
     cells >>= 2u;
-  } while (width < 300.0);
+  } while (width < 1100.0);
   return clamp(1.0 + frame.slicks.z / kDeviation * sum, 0.1, 1.9);
 }
 

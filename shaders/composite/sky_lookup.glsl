@@ -49,17 +49,21 @@ vec4 cloudsBefore(ivec2 pixel) {
   return clamp(sum / whole, vec4(0), vec4(vec3(kLargestRadiance), 1));
 }
 
-// Share of a pixel of the angular size `pixel` [rad] that lies in a disc of the angular radius `radius` around `centre`. A
-// chord: near it a cosine has no digits left.
+// Share that a pixel of the angular size `pixel` [rad] has of a disc of the angular radius `radius` around `centre`. The disc is
+// ten thousand times as bright as the sky beside it: an edge a pixel wide would show as steps, so that it falls off as from a
+// lens, by a tenth in a pixel. Scaled so that the whole disc keeps its light. A chord: near it a cosine has no digits left.
 float discCoverage(vec3 d, vec3 centre, float radius, float pixel) {
-  return clamp((radius - distance(d, centre)) / pixel + 0.5, 0.0, 1.0);
+  float spread = 0.43 * pixel;
+  float whole = 1.0 + kPi * kPi / 3.0 * spread * spread / (radius * radius);  // of the integral over the disc
+  return 1.0 / ((1.0 + exp(min((distance(d, centre) - radius) / spread, 80.0))) * whole);
 }
 
 // The sun's disc toward d with its limb darkening (1 - u (1 - mu), u = 0.6), of mean radiance light.sunRadiance.
 vec3 sunDisc(vec3 d, float pixel) {
   float radius = acos(light.sunDirection.w);
-  float inside = min(distance(d, light.sunDirection.xyz) / radius, 1.0);
-  float limb = (0.4 + 0.6 * sqrt(1.0 - inside * inside)) / 0.8;
+  float inside = distance(d, light.sunDirection.xyz) / radius;
+  // What the rim's falling off takes inside it, the same outside gives back.
+  float limb = (0.4 + 0.6 * sqrt(abs(1.0 - inside * inside))) / 0.8;
   return light.sunRadiance.rgb * (light.sunRadiance.w * discCoverage(d, light.sunDirection.xyz, radius, pixel) * limb);
 }
 
@@ -67,6 +71,7 @@ vec3 sunDisc(vec3 d, float pixel) {
 vec3 moonDisc(vec3 d, float pixel) {
   vec3 moon = light.moonDirection.xyz;
   vec3 across = (d - moon) / kSunAngularRadius;
+  across *= min(1.0, 0.9 * inversesqrt(max(dot(across, across), 1e-8)));  // what the lens spreads over the rim is from within
   vec3 normal = across - moon * sqrt(max(1.0 - dot(across, across), 0.0));
   float lit = smoothstep(-0.05, 0.1, dot(normal, light.moonLit.xyz));
   return light.moonRadiance.rgb * (discCoverage(d, moon, kSunAngularRadius, pixel) * lit);
