@@ -73,7 +73,8 @@ wrong_formula(sharpening_square RIGHT "sea.swellSharpening * sea.swellSharpening
               CAUGHT_BY Spreadings.SwellSharpeningAddsToTheExponentAndKeepsTheIntegral)
 wrong_formula(table_direction RIGHT "theta + sea_.windDirection" WRONG "theta - sea_.windDirection"
               CAUGHT_BY Table.DirectionsAreThoseOfTheWorld)
-wrong_formula(skewness RIGHT "0.04 - 0.033 * std::min" WRONG "0.04 - 0.33 * std::min" CAUGHT_BY Lean.HasTheSkewnessOfThePaper)
+wrong_formula(skewness RIGHT "0.04 - 0.033 * std::min(windSpeed, 14.0)"
+              WRONG "0.04 - 0.33 * std::min(windSpeed, 14.0)" CAUGHT_BY Lean.HasTheSkewnessOfThePaper)
 wrong_formula(no_dw_dk RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
               WRONG "energyGain(sea, k) / k" CAUGHT_BY WaveNumberSpectrum.IsSTimesDTimesGroupSpeedOverWaveNumber)
 wrong_formula(dk_dw RIGHT "energyGain(sea, k) * groupSpeed(k, sea.depth) / k"
