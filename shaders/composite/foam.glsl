@@ -41,7 +41,7 @@ FoamPattern foamPattern(vec2 q, float footprint) {
 struct Foam {
   float cover;    // share of the pixel under foam
   float opacity;  // of that foam
-  float shade;    // of its brightness, 0.93 to 1 in the mean near by, 1 far off
+  float shade;    // of its brightness, near 1 in the mean, 1 far off
   float rise;     // slope of its top away from the eye
 };
 const float kFoamAlbedo = 0.78;  // of foam that hides the water
