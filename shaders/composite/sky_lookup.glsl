@@ -54,7 +54,10 @@ vec4 cloudsBefore(ivec2 pixel) {
 // lens, by a tenth in a pixel. Scaled so that the whole disc keeps its light. A chord: near it a cosine has no digits left.
 float discCoverage(vec3 d, vec3 centre, float radius, float pixel) {
   float spread = 0.43 * pixel;
-  float whole = 1.0 + kPi * kPi / 3.0 * spread * spread / (radius * radius);  // of the integral over the disc
+  // The integral over the plane per the disc's area: a Fermi function's, with the dilogarithm of -e by its series.
+  float e = exp(-radius / spread);
+  float dilogarithm = -e * (1.0 - e * (1.0 / 4.0 - e * (1.0 / 9.0 - e / 16.0)));
+  float whole = 1.0 + 2.0 * (kPi * kPi / 6.0 + dilogarithm) * spread * spread / (radius * radius);
   return 1.0 / ((1.0 + exp(min((distance(d, centre) - radius) / spread, 80.0))) * whole);
 }
 
@@ -62,8 +65,8 @@ float discCoverage(vec3 d, vec3 centre, float radius, float pixel) {
 vec3 sunDisc(vec3 d, float pixel) {
   float radius = acos(light.sunDirection.w);
   float inside = distance(d, light.sunDirection.xyz) / radius;
-  // What the rim's falling off takes inside it, the same outside gives back.
-  float limb = (0.4 + 0.6 * sqrt(abs(1.0 - inside * inside))) / 0.8;
+  // What the rim's falling off takes inside it, the same outside gives back; far outside it is the disc's mean, 1.
+  float limb = (0.4 + 0.6 * sqrt(abs(1.0 - min(inside * inside, 13.0 / 9.0)))) / 0.8;
   return light.sunRadiance.rgb * (light.sunRadiance.w * discCoverage(d, light.sunDirection.xyz, radius, pixel) * limb);
 }
 

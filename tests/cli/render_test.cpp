@@ -125,7 +125,8 @@ TEST_F(RenderTest, TheCameraIsRightHanded) {
 
 TEST_F(RenderTest, TheSunStandsWhereItWasPut) {
   // From +x turning to +z: at an azimuth of 10 degrees it is right of the middle when the camera looks along +x.
-  const cli::Image image = render(" --camera 0,3,0 --look-at 100,3,0 --sun-azimuth 10 --sun-elevation 15 --overcast 0");
+  const cli::Image image =
+      render(" --camera 0,3,0 --look-at 100,3,0 --sun-azimuth 10 --sun-elevation 15 --cloud-cover 0");
   const auto brightest = std::max_element(image["G"].begin(), image["G"].begin() + 96 * 30) - image["G"].begin();
   const double focal = 32 / std::tan(kFov / 2);  // [px]
   const double degree = std::numbers::pi / 180;
