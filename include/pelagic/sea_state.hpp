@@ -94,8 +94,9 @@ struct SeaState {
   std::array<double, kOctaves> octaveGain{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   double choppiness = 1;  ///< Horizontal displacement, 1 is physical [1], 0 … 2.
   /// How far the waves of the wind lean forward, steeper in front than behind [1], 0 … 2. 0: the linear theory's
-  /// symmetric crests; 1: such that the slopes along the wind are as skewed as Cox & Munk measured,
-  /// coxMunkSkewness(). Breaking moves from crests to front faces with it. Swell and trochoids do not lean.
+  /// symmetric crests; 1: such that slopes along the wind with the deviation Cox & Munk measured would be as skewed as
+  /// theirs, coxMunkSkewness(), in deep water with choppiness 1; of slopes with less than that the skewness is less in
+  /// proportion. Breaking moves from crests to front faces with it. `swell` and trochoids do not lean, a table does.
   double asymmetry = 0;
   std::vector<Swell> swell;
   /// Single waves, at most 256. Each takes the place of the random waves of its mode. The sum of Q k A of all trochoids

@@ -154,8 +154,8 @@ class Waves {
 
   /// Replaces the sea; lengths, random numbers and phases stay, modes are re-weighted. Takes effect with the next
   /// record(), over the time of `transition`. A sea that is still changing when the transition starts goes on from the
-  /// heights it has then: speeds may jump a little, and where depth or choppiness differ the displacements by
-  /// centimetres. CPU work only. On error nothing changes.
+  /// heights it has then: speeds may jump a little, and where depth or choppiness differ, or a leaning sea's
+  /// wind turns about, the displacements by centimetres to decimetres. CPU work only. On error nothing changes.
   Result<void> setSea(const SeaState& sea, const SeaTransition& transition = {});
   /// Replaces the map of gains by one of the same width and height, with the next record(). CPU work only. On error
   /// nothing changes.

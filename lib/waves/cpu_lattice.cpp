@@ -43,8 +43,8 @@ CpuLattice::CpuLattice(const SeaChange& sea, const WavesInfo& info, std::uint32_
   }
 }
 
-/// Spectrum of a real field from that of the elevation or of its rate: D = i (k/k) coth(kh) choppiness h, derivatives
-/// by i k.
+/// Spectrum of a real field from that of the elevation or of its rate: D = i k chop h (ModeConstants), derivatives by
+/// i k.
 glm::vec2 CpuLattice::apply(Operator wanted, const Mode& m, const Spectral& of) noexcept {
   switch (wanted) {
     case Operator::height:

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <pelagic/spectrum.hpp>
 #include <waves/lean.hpp>
@@ -11,8 +10,9 @@ double leanWithWind(const SeaState& sea) noexcept {
   // for waves along the wind. Those that go askew lean less and their lean counts less: 0.8 of it, the mean of cos^4
   // over that of cos^2 for spreadings between even and cos^2 within 90 degrees of the wind (3/4 and 5/6).
   constexpr double kAlong = 0.8;
+  // The quotient is 0.42 at most, at 14 m/s.
   const double deviation = std::sqrt(coxMunkSlopes(sea.windSpeed).upwind);
-  return sea.asymmetry * std::asin(std::min(1.0, -coxMunkSkewness(sea.windSpeed) / (6 * kAlong * deviation)));
+  return sea.asymmetry * std::asin(-coxMunkSkewness(sea.windSpeed) / (6 * kAlong * deviation));
 }
 
 }  // namespace pelagic

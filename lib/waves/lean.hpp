@@ -12,8 +12,8 @@ struct WindAndSwell {
 };
 WindAndSwell waveNumberSpectra(const SeaState& sea, double kx, double kz) noexcept;
 
-/// Phase by which the horizontal displacement of a wave with the wind falls behind [rad], so that D = k A sin(lean)
-/// forward at a crest.
+/// Phase by which the horizontal displacement of a wave with the wind falls behind [rad], so that a crest of height A
+/// stands choppiness coth(kh) A sin(lean) ahead of where the linear theory has it.
 double leanWithWind(const SeaState& sea) noexcept;
 
 }  // namespace pelagic

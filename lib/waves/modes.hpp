@@ -1,6 +1,7 @@
 /// The spectrum on the grid: what the GPU evolves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <pelagic/waves.hpp>
@@ -23,6 +24,7 @@ struct alignas(16) ModeConstants {
   /// choppiness coth(k h) / k e^{-i lean} [m], a complex number; D = i k chop h. The lean turns its sign with k.
   glm::vec2 chop{0};
 };
+static_assert(sizeof(ModeConstants) == 16 && offsetof(ModeConstants, chop) == 4, "as the shaders fetch it");
 
 /// All modes of one cascade, N x N in FFT order, row = z.
 struct CascadeModes {

@@ -51,7 +51,7 @@ vec4 cloudsBefore(ivec2 pixel) {
 
 // Share that a pixel of the angular size `pixel` [rad] has of a disc of the angular radius `radius` around `centre`. The disc is
 // ten thousand times as bright as the sky beside it: an edge a pixel wide would show as steps, so that it falls off as from a
-// lens, by a tenth in a pixel. Scaled so that the whole disc keeps its light. A chord: near it a cosine has no digits left.
+// lens, to a tenth in a pixel. Scaled so that the whole disc keeps its light. A chord: near it a cosine has no digits left.
 float discCoverage(vec3 d, vec3 centre, float radius, float pixel) {
   float spread = 0.43 * pixel;
   // The integral over the plane per the disc's area: a Fermi function's, with the dilogarithm of -e by its series.
@@ -74,7 +74,7 @@ vec3 sunDisc(vec3 d, float pixel) {
 vec3 moonDisc(vec3 d, float pixel) {
   vec3 moon = light.moonDirection.xyz;
   vec3 across = (d - moon) / kSunAngularRadius;
-  across *= min(1.0, 0.9 * inversesqrt(max(dot(across, across), 1e-8)));  // what the lens spreads over the rim is from within
+  across *= min(1.0, 0.99 * inversesqrt(max(dot(across, across), 1e-8)));  // what the lens spreads over the rim is from within
   vec3 normal = across - moon * sqrt(max(1.0 - dot(across, across), 0.0));
   float lit = smoothstep(-0.05, 0.1, dot(normal, light.moonLit.xyz));
   return light.moonRadiance.rgb * (discCoverage(d, moon, kSunAngularRadius, pixel) * lit);

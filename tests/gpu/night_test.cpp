@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -90,6 +91,13 @@ TEST_F(NightTest, TheDiscIsLitFromTheSun) {
   const double half = 3 * kPi / 2 * std::pow(pelagic::kSunAngularRadius, 2);
   EXPECT_NEAR(right / half, 1, 0.06);
   EXPECT_LT(left, 0.06 * half);
+  // A crescent, 17 degrees from the sun, is a bright line along the limb.
+  scene.light.moonLit = glm::vec4(std::sin(0.3f), 0, -std::cos(0.3f), 0);
+  scene.render(device());
+  float brightest = 0;
+  for (std::uint32_t x = 32; x < 64; ++x) brightest = std::max(brightest, scene.radianceAt(x, 32).x);
+  EXPECT_GT(brightest, 1.5f);
+  EXPECT_LT(scene.radianceAt(32, 32).x, 0.01f);
 }
 
 /// All starlight over the sphere is what the magnitudes add up to; and it turns with the sky.

@@ -50,6 +50,9 @@ wrong_formula(loop_fraction RIGHT "rest / loopPeriod" WRONG "rest / (2 * loopPer
 wrong_formula(loop_bits RIGHT "std::ldexp(fraction, 64)" WRONG "std::ldexp(fraction, 63)"
               CAUGHT_BY LoopFraction.IsExactForLongTimes)
 wrong_formula(before_zero RIGHT "rest += loopPeriod" WRONG "rest = -rest" CAUGHT_BY LoopFraction.IsExactForLongTimes)
+wrong_formula(moments_lean RIGHT "glm::length(glm::dvec2(modes.constants[mode].chop))"
+              WRONG "static_cast<double>(modes.constants[mode].chop.x)"
+              CAUGHT_BY Modes.MoveWaterSidewaysAsFarAsUpwardInDeepWaterAndFartherInShallow)
 wrong_formula(moments_chop RIGHT "variance * chop * chop * (kx * kx + kz * kz)"
               WRONG "variance * chop * (kx * kx + kz * kz)"
               CAUGHT_BY Modes.MoveWaterSidewaysAsFarAsUpwardInDeepWaterAndFartherInShallow)
@@ -159,6 +162,9 @@ wrong_formula(transposed RIGHT "sumOf(xz)" WRONG "sumOf(zx)"
               CAUGHT_BY Warp.SlopesAreDerivatives)
 
 set(source whitecaps.cpp)
+wrong_formula(lean RIGHT "glm::length(glm::dvec2(modes.constants[index].chop))"
+              WRONG "static_cast<double>(modes.constants[index].chop.x)"
+              CAUGHT_BY Whitecaps.CurvatureIsThatOfCrossingWaves)
 wrong_formula(stretch RIGHT "chop * (kx * kx + kz * kz)" WRONG "chop * std::hypot(kx, kz)"
               CAUGHT_BY Whitecaps.JacobianSpreadIsTheSumOverModes)
 wrong_formula(rate RIGHT "w * w * stretch * stretch * modes.variance[index]"

@@ -72,6 +72,7 @@ TEST(Query, LatticeIsTheSumOfTheModesAtAnyTime) {
 TEST(Query, GradientsAndMotionAreDerivatives) {
   SeaState sea;
   sea.windSpeed = 10;
+  sea.asymmetry = 1;
   const WavesInfo info = infoOf(sea, 1);
   const double time = 41;
   const glm::uvec2 at(20, 45);

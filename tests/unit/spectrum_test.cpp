@@ -329,6 +329,9 @@ TEST(Validation, NamesFieldValueAndRange) {
   sea.octaveGain[3] = -1;
   EXPECT_EQ(validate(sea).error().message, "SeaState::octaveGain[3] is -1, it must lie in 0 … 10");
   sea = {};
+  sea.asymmetry = 2.5;
+  EXPECT_EQ(validate(sea).error().message, "SeaState::asymmetry is 2.5, it must lie in 0 … 2");
+  sea = {};
   sea.swellSharpening = 1.5;
   EXPECT_EQ(validate(sea).error().message, "SeaState::swellSharpening is 1.5, it must lie in 0 … 1");
   sea = {};

@@ -144,7 +144,8 @@ JacobianSpread spreadOf(std::initializer_list<Wave> waves, double loopPeriod) {
   for (const Wave& wave : waves) {
     const std::size_t index = static_cast<std::size_t>((wave.z + 64) % 64 * 64 + (wave.x + 64) % 64);
     modes.variance[index] = wave.variance;
-    modes.constants[index] = {wave.cycles, {1.0f / static_cast<float>(wave.x * wave.x + wave.z * wave.z), 0}};
+    modes.constants[index] = {wave.cycles,
+                              glm::vec2(0.6f, -0.8f) / static_cast<float>(wave.x * wave.x + wave.z * wave.z)};
   }
   return pelagic::jacobianSpread(modes, {2 * 3.14159265358979, 0, 100}, kSize, loopPeriod);
 }
