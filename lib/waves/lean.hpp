@@ -5,13 +5,6 @@
 
 namespace pelagic {
 
-/// Psi(k) [m^4] as waveNumberSpectrum(), by where the waves come from.
-struct WindAndSwell {
-  double wind = 0;
-  double swell = 0;
-};
-WindAndSwell waveNumberSpectra(const SeaState& sea, double kx, double kz) noexcept;
-
 /// Phase by which the horizontal displacement of a wave with the wind falls behind [rad], so that a crest of height A
 /// stands choppiness coth(kh) A sin(lean) ahead of where the linear theory has it.
 double leanWithWind(const SeaState& sea) noexcept;

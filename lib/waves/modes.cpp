@@ -4,6 +4,7 @@
 #include <waves/closure.hpp>
 #include <waves/lean.hpp>
 #include <waves/modes.hpp>
+#include <waves/wind_and_swell.hpp>
 
 namespace pelagic {
 namespace {

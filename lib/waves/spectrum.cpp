@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 #include <pelagic/spectrum.hpp>
-#include <waves/lean.hpp>
 #include <waves/spectrum_table.hpp>
 #include <waves/spreading.hpp>
 #include <waves/unified.hpp>
+#include <waves/wind_and_swell.hpp>
 
 namespace pelagic {
 namespace {

@@ -8,6 +8,7 @@
 #include <random>
 #include <waves/lean.hpp>
 #include <waves/modes.hpp>
+#include <waves/wind_and_swell.hpp>
 
 namespace {
 

@@ -221,9 +221,7 @@ TEST(Query, WavesRunWithTheWindAndWaterCirclesForwardOnCrests) {
   EXPECT_LT(behind, 0.5 * ahead);
 }
 
-TEST(Query, RaysMeetTheSurfaceWhereItIsFirst) {
-  SeaState sea;
-  sea.windSpeed = 12;
+void expectFirstHits(const SeaState& sea) {
   SeaQuery query = *SeaQuery::create(infoOf(sea, 2, 128), 1);
   query.setTime(12);
   std::mt19937 random(11);
@@ -248,6 +246,22 @@ TEST(Query, RaysMeetTheSurfaceWhereItIsFirst) {
     }
   }
   EXPECT_GT(hits, 250);
+}
+
+TEST(Query, RaysMeetTheSurfaceWhereItIsFirst) {
+  SeaState sea;
+  sea.windSpeed = 12;
+  expectFirstHits(sea);
+  // The steepest faces: a gale's that lean as far as they may.
+  sea.windSpeed = 20;
+  sea.asymmetry = 2;
+  expectFirstHits(sea);
+}
+
+TEST(Query, RaysThatMeetNothingAreNone) {
+  SeaState sea;
+  sea.windSpeed = 12;
+  const SeaQuery query = *SeaQuery::create(infoOf(sea, 2, 128), 1);
   EXPECT_FALSE(query.intersect({0, 20, 0}, {1, 0.1, 0}, 1e5));
   EXPECT_FALSE(query.intersect({0, 50, 0}, {0, -1, 0}, 10));
   EXPECT_TRUE(query.intersect({0, 50, 0}, {0, -1, 0}, 100));
