@@ -12,9 +12,13 @@ using support::OceanScene;
 
 constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
                                    "calm-dawn",  "noon-calm",      "moonlit"};
-// FarWaterIsCalmerInAZoom's changes their far water 0.31 to 1.36 times as much as the near, likely since far crests
-// stand before each other within a pixel, which shows one; a pan does not.
-constexpr const char* kHighSeas[] = {"gale", "storm", "overcast-swell"};
+// FarWaterIsCalmerInAZoom's changes their far water 0.31 to 1.47 times as much as the near, likely since far crests
+// stand before each other within a pixel, which shows one; a pan does not: 0.38, 0.28 and 0.12 over six moments. Of the
+// bounds a fifth is left for other devices.
+constexpr struct {
+  const char* name;
+  double farOverNear;
+} kHighSeas[] = {{"gale", 0.45}, {"storm", 0.34}, {"overcast-swell", 0.15}};
 constexpr VkExtent2D kExtent{320, 180};
 constexpr double kAspect = 1.0 * kExtent.width / kExtent.height;
 
@@ -116,11 +120,10 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInASlowPan) {
   for (const char* name : kScenes) {
     EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.18) << name;
   }
-  // Of one moment a single breaking crest decides: gale is 0.26 at 252 s and 0.34 at 250 s. Over
-  // the moments it is 0.11 to 0.38, without asymmetry gale is 0.32; a fifth is left for other devices.
+  // Of one moment a single breaking crest decides.
   constexpr int kMoments = 6;
-  for (const char* name : kHighSeas) {
-    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}, kMoments), 0.45) << name;
+  for (const auto& [name, bound] : kHighSeas) {
+    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}, kMoments), bound) << name;
   }
 }
 
