@@ -101,8 +101,8 @@ struct SkyMaps {
   /// binds it as a uniform block. Resting state: shader reads.
   VkBuffer light = VK_NULL_HANDLE;
   VkDeviceSize lightSize = 0;
-  /// Clouds, null where there can be none, as in Sky::maps(). rgba16f, a picture of the view at a third of its
-  /// resolution, pixel (x, y) of the view at ((x, y) + 0.5)/(3 extent): RGB light of the clouds and the air before
+  /// Clouds, null where there can be none, as in Sky::maps(). rgba16f, a picture of the view at half its
+  /// resolution, pixel (x, y) of the view at ((x, y) + 0.5)/(2 extent): RGB light of the clouds and the air before
   /// them, A the transmittance for what is behind.
   MapView clouds;
   /// rg16f with mips, repeats: share of the sun's light that reaches sea level through the clouds, with what they turn

@@ -42,12 +42,12 @@ struct Foam {
   float cover;    // share of the pixel under foam
   float opacity;  // of that foam
   float shade;    // of its brightness, near 1 in the mean, 1 far off
-  float rise;     // slope of its top away from the eye
+  vec2 slope;     // of its top: away from the eye and to the left of that, from x over to -z
 };
-const float kFoamAlbedo = 0.78;  // of foam that hides the water
-const float kFoamHeight = 0.12;  // of a unit of the pattern [m]
-const float kFoamOpacity = 20.0;  // half the transport optical depth of a unit of the pattern
-const float kFoamShade = 2.5;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
+const float kFoamAlbedo = 0.8;  // of foam that hides the water
+const float kFoamHeight = 0.3;  // of a unit of the pattern [m]
+const float kFoamOpacity = 35.0;  // half the transport optical depth of a unit of the pattern
+const float kFoamShade = 3.0;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
 
 const int kFoamTaps = 3;
 // An edge is no line: bubbles thin out over this deviation of the pattern. What stands above a level has that and the pattern's.
@@ -70,35 +70,37 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   q += vec2(3.0, 0.7) * lane;
   vec2 step = alongWind(along) * vec2(0.5, 1.0) / float(kFoamTaps);
   float footprint = max(across, length(along) / float(kFoamTaps));
-  q -= step * (0.5 * float(kFoamTaps - 1));
+  // The middle one to the left of the others, so that they tell the relief's slope that way too.
+  vec2 left = alongWind(vec2(along.y, -along.x)) * vec2(0.5, 1.0) * (footprint / max(length(along), 1e-6));
+  q -= step * (0.5 * float(kFoamTaps - 1)) + left / 3.0;
   float density = kFoamOpacity * mix(0.6, 1.0, smoothstep(0.1, 0.6, freshness));  // bubbles burst with age
   float middle = -kFoamLevels / 1.702 * log(1.0 - share) / max(share, 1e-4);  // thickness of what is covered, in the mean
-  float cover = 0.0, hidden = 0.0, shade = 0.0, first = 0.0, last = 0.0;
+  float cover = 0.0, hidden = 0.0, shade = 0.0, heights[kFoamTaps];
   int tap = 0;
   do {
-    FoamPattern pattern = foamPattern(q, footprint);
+    FoamPattern pattern = foamPattern(tap == 1 ? q + left : q, footprint);
     // A layer of bubbles as thick as the pattern stands above the level.
     float spread = sqrt(pattern.unresolved * pattern.unresolved + kFoamEdge * kFoamEdge);
     float x = 1.702 * clamp((pattern.height - level) / spread, -20.0, 20.0);
     float part = 1.0 / (1.0 + exp(-x));
     float thickness = spread * log(1.0 + exp(x)) / (1.702 * part);
     cover += part;
-    shade += part * clamp(1.0 + kFoamShade * (thickness - middle), 0.3, 1.0 / kFoamAlbedo);
+    shade += part * min(exp(kFoamShade * (thickness - middle)), 1.0 / kFoamAlbedo);
     // Two streams through a layer that absorbs nothing (Bohren 1987), so that a dense core still shows where it is thicker;
     // the mean over what is unresolved to the second order, thickness being Gamma distributed.
     float depth = thickness * density;
     float varied = min(pattern.unresolved * pattern.unresolved / max(thickness * thickness, 1e-6), 1.0);
     float shown = depth / (1.0 + depth);
     hidden += part * shown * (1.0 - varied * shown / (1.0 + depth));
-    if (tap == 0) first = pattern.height;
-    last = pattern.height;
+    heights[tap] = pattern.height;
     q += step;
   } while (++tap < kFoamTaps);
   Foam foam;
   foam.cover = min(share * 1000.0, 1.0) * cover / float(kFoamTaps);
   foam.opacity = hidden / max(cover, 1e-4);
   foam.shade = shade / max(cover, 1e-4);
-  foam.rise = kFoamHeight * (last - first) * float(kFoamTaps) / (float(kFoamTaps - 1) * max(length(along), 0.01));
+  foam.slope = kFoamHeight * vec2((heights[2] - heights[0]) * float(kFoamTaps) / (float(kFoamTaps - 1) * max(length(along), 0.01)),
+                                 (heights[1] - 0.5 * (heights[0] + heights[2])) / max(footprint, 0.005));
   return foam;
 }
 

@@ -55,7 +55,7 @@ HostLit hostLit(SeaPoint sea, vec3 top, vec3 v, vec3 place, vec2 p) {
     from.l = area / max(size, 1e-9);  // the middle of what is seen of it; none: it shines away
     lit.mirrored += mirroredLight(sea, seen, v, from, true);
     lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));
-    lit.foam += from.irradiance * max(dot(top, from.l), 0.0);
+    lit.foam += from.irradiance * clamp(dot(top, from.l), 0.0, 1.0);
   } while (++i < notWrittenIn(frame.hostLights));
   return lit;
 }

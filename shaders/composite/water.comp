@@ -84,14 +84,14 @@ void main() {
   Foam foam;
   if (kFoaming) {
     foam = foamAt(sea.foam, sea.lane, p, across, max(along, across) * away);
-    top = normalize(top - vec3(away.x, 0, away.y) * foam.rise);
+    top -= vec3(away.x, 0, away.y) * foam.slope.x + vec3(away.y, 0, -away.x) * foam.slope.y;
     normal.w = foam.cover;
   }
   HostLit lit = kNoHostLight;
   if (kHostLights) lit = hostLit(sea, top, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
-    vec3 foamLight = sun * max(dot(top, l), 0.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * top.y) + lit.foam;
+    vec3 foamLight = sun * clamp(dot(top, l), 0.0, 1.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * normal.y) + lit.foam;
     radiance = mix(radiance, foamLight * (foam.shade * kFoamAlbedo / kPi), foam.cover * foam.opacity);
   }
   radiance = throughAir(radiance, place, axial * rayLength, 0.0);

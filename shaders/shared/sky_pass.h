@@ -24,7 +24,7 @@ PELAGIC_SHADER_CONSTANT float kCloudTile = 15360.0f;      // [m]
 PELAGIC_SHADER_CONSTANT uint kCloudDetail = 64;           // texels along a side of the detail's cube
 PELAGIC_SHADER_CONSTANT float kCloudDetailTile = 480.0f;  // its side [m], a whole part of kCloudTile
 PELAGIC_SHADER_CONSTANT uint kDomeSize = 96;              // side of the clouds' stereographic map
-PELAGIC_SHADER_CONSTANT uint kCloudPixels = 3;            // pixels of a view along a side of one of its clouds' pixels
+PELAGIC_SHADER_CONSTANT uint kCloudPixels = 2;            // pixels of a view along a side of one of its clouds' pixels
 
 // Push constants of all passes.
 struct SkyPass {

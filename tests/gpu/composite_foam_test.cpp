@@ -11,6 +11,8 @@ using support::SyntheticScene;
 
 class CompositeFoamTest : public support::GpuTest {};
 
+constexpr double kFoamAlbedo = 0.8;  ///< Of foam that hides the water, as in composite/foam.glsl.
+
 // White in the mean; near by its hollows are darker and its heads brighter, far off it is even.
 TEST_F(CompositeFoamTest, FreshFoamIsAWhiteLambertSurfaceWithARelief) {
   for (const bool near : {true, false}) {
@@ -40,6 +42,43 @@ TEST_F(CompositeFoamTest, FreshFoamIsAWhiteLambertSurfaceWithARelief) {
   }
 }
 
+// Lit from opposite sides, foam differs by the slope of its relief, whose heads are the brighter ones under a light
+// straight above: the sides that face the light are bright, to the left and right as well as near and far.
+TEST_F(CompositeFoamTest, ReliefFacesTheLight) {
+  constexpr std::uint32_t kSide = 96;
+  SyntheticScene scene(gpu(), {kSide, kSide});
+  scene.fillWater(20);
+  scene.spread(0.04f);
+  scene.foam = 1;
+  scene.light.skyIrradiance = glm::vec4(0);
+  scene.light.sunIrradiance = glm::vec4(1);
+  scene.light.sunRadiance = glm::vec4(1);
+  const auto litFrom = [&](glm::vec3 toward) {
+    scene.light.sunDirection = glm::vec4(glm::normalize(toward), scene.light.sunDirection.w);
+    scene.render(device());
+    return scene.radiance;
+  };
+  const std::vector<float> above = litFrom({0, 1, 0});
+  for (const glm::ivec2 e : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+    const glm::vec3 toward(e.x, 1, e.y);
+    const std::vector<float> lit = litFrom(toward), unlit = litFrom(toward * glm::vec3(-1, 1, -1));
+    double product = 0, squares = 0, falls = 0;
+    for (std::uint32_t y = 1; y + 1 < kSide; ++y) {
+      for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
+        const std::size_t at = y * kSide + x;
+        const std::size_t next = at + (e.x != 0 ? 1 : kSide), last = at - (e.x != 0 ? 1 : kSide);
+        const bool ahead = glm::dot(scene.position[next] - scene.position[last], glm::vec2(e)) > 0;
+        const double fall = static_cast<double>(above[4 * last] - above[4 * next]) * (ahead ? 1 : -1);
+        const double gained = static_cast<double>(lit[4 * at] - unlit[4 * at]);
+        product += fall * gained;
+        squares += gained * gained;
+        falls += fall * fall;
+      }
+    }
+    EXPECT_GT(product / std::sqrt(squares * falls), 0.5) << e.x << ", " << e.y;
+  }
+}
+
 // In water that takes red, foam alone is white; between it green and blue come up from the bubbles below, as much as
 // the water above those lets through.
 TEST_F(CompositeFoamTest, BubblesBelowFoamShowBetweenIt) {
@@ -51,7 +90,7 @@ TEST_F(CompositeFoamTest, BubblesBelowFoamShowBetweenIt) {
   scene.foam = 0.3f;
   scene.render(device());
   const glm::dvec3 seen = scene.radianceAt(8, 8);
-  const glm::dvec3 sky(scene.sky[0], scene.sky[1], scene.sky[2]), white = 0.78 * sky;
+  const glm::dvec3 sky(scene.sky[0], scene.sky[1], scene.sky[2]), white = kFoamAlbedo * sky;
   const double open = (white.x - seen.x) / (white.x - bare.x);
   ASSERT_GT(open, 0.5);
   ASSERT_LT(open, 0.95);
@@ -130,7 +169,7 @@ double opacityOfFoam(const SyntheticScene& scene, const std::vector<float>& bare
   for (std::size_t i = 0; i < scene.radiance.size(); i += 4) {
     const double water = static_cast<double>(bare[i]);
     gained += static_cast<double>(scene.radiance[i]) - water;
-    white += static_cast<double>(scene.normal[i + 3]) * (0.78 * static_cast<double>(scene.sky[0]) - water);
+    white += static_cast<double>(scene.normal[i + 3]) * (kFoamAlbedo * static_cast<double>(scene.sky[0]) - water);
   }
   return gained / white;
 }

@@ -10,16 +10,21 @@ namespace {
 using support::Drawn;
 using support::OceanScene;
 
-constexpr const char* kScenes[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
-                                   "calm-dawn",  "noon-calm",      "moonlit"};
-// FarWaterIsCalmerInAZoom's changes their far water 0.31 to 1.47 times as much as the near, likely since far crests
-// stand before each other within a pixel, which shows one; a pan does not: 0.38, 0.28 and 0.12 over six moments. Of the
-// bounds a fifth is left for other devices.
+// What a pan does to far water over what it does to near, up to a fifth above what is measured; foam far off is what
+// changes.
 constexpr struct {
   const char* name;
   double farOverNear;
-} kHighSeas[] = {{"gale", 0.45}, {"storm", 0.34}, {"overcast-swell", 0.15}};
+} kPan[] = {{"trade-wind", 0.27},     {"fresh-overcast", 0.26}, {"gale", 0.45},
+            {"storm", 0.55},          {"overcast-swell", 0.08}, {"calm-dawn", 0.05},
+            {"sunset-glitter", 0.05}, {"noon-calm", 0.05},      {"moonlit", 0.04}};
+// A zoom changes the far water of gale, storm and swell as much as the near or more, likely since far crests stand
+// before each other within a pixel, which shows one.
+constexpr const char* kZoomed[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
+                                   "calm-dawn",  "noon-calm",      "moonlit"};
 constexpr VkExtent2D kExtent{320, 180};
+// Of one moment a single breaking crest decides.
+constexpr int kMoments = 6;
 constexpr double kAspect = 1.0 * kExtent.width / kExtent.height;
 
 /// Of the direction d from the eye, on screen [px]; (0.5, 0.5) is the centre of the first pixel.
@@ -61,7 +66,7 @@ using Views = std::function<std::vector<common::View>(const common::Scene&)>;
 
 class OceanGlitterTest : public support::GpuTest {
  protected:
-  double farOverNear(const char* name, const Views& viewsOf, const Field& far, const Field& near, int moments = 1);
+  double farOverNear(const char* name, const Views& viewsOf, const Field& far, const Field& near);
 };
 
 /// Mean over the boxes of the variance from frame to frame of what a filmic curve makes of their luminance, which is
@@ -87,16 +92,15 @@ double variance(const std::vector<Drawn>& frames, const std::vector<common::View
   return sum / boxes;
 }
 
-// Far over near, of views of one scene, each summed over moments. The sea stands still, so that nothing changes but
+// Far over near, of views of one scene, each summed over the moments. The sea stands still, so that nothing changes but
 // which part of it a pixel shows.
-double OceanGlitterTest::farOverNear(const char* name, const Views& viewsOf, const Field& far, const Field& near,
-                                     int moments) {
+double OceanGlitterTest::farOverNear(const char* name, const Views& viewsOf, const Field& far, const Field& near) {
   constexpr double kApart = 7;  // [s]
   OceanScene scene(gpu(), device(), name);
   const std::size_t target = scene.addView(kExtent);
   const std::vector<common::View> views = viewsOf(scene.scene());
   double farther = 0, nearer = 0;
-  for (int moment = 0; moment < moments; ++moment) {
+  for (int moment = 0; moment < kMoments; ++moment) {
     scene.setTime(scene.scene().time + kApart * moment);
     std::vector<Drawn> frames;
     for (const common::View& view : views) frames.push_back(scene.draw(target, view));
@@ -117,13 +121,8 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInASlowPan) {
     for (int i = 0; i < 9; ++i) views.push_back(support::fromAbove(scene, 0.25 * pixel * i));
     return views;
   };
-  for (const char* name : kScenes) {
-    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), 0.18) << name;
-  }
-  // Of one moment a single breaking crest decides.
-  constexpr int kMoments = 6;
-  for (const auto& [name, bound] : kHighSeas) {
-    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}, kMoments), bound) << name;
+  for (const auto& [name, bound] : kPan) {
+    EXPECT_LT(farOverNear(name, pan, {{40, 85}, {280, 116}, 1}, {{40, 148}, {280, 179}, 1}), bound) << name;
   }
 }
 
@@ -138,7 +137,7 @@ TEST_F(OceanGlitterTest, FarWaterIsCalmerInAZoom) {
     }
     return views;
   };
-  for (const char* name : kScenes) {
+  for (const char* name : kZoomed) {
     // The last frame's 4.5 degrees are pixels 82 to 98 of the first; the horizon is at 81.6.
     EXPECT_LT(farOverNear(name, zoom, {{146, 84}, {174, 89}, 1}, {{146, 92}, {174, 97}, 1}), 0.37) << name;
   }

@@ -115,7 +115,7 @@ TEST_F(SkyPlanetTest, CloudsReachDownToItsHorizon) {
   });
   const support::SkyMap map = read(seen.maps().clouds);
   for (int y = 0; y < map.height; ++y) {
-    const double down = 2 * (3 * y + 1.5) / kExtent.height - 1;  // of the pixel's middle, in halves of the picture
+    const double down = 2 * (y + 0.5) / map.height - 1;  // of the pixel's middle, in halves of the picture
     for (int x = 0; x < map.width; ++x) {
       const double through = map.alpha(x, y);
       const double elevation = -std::atan(down * std::tan(1.5 * dip));
