@@ -24,7 +24,7 @@ vec3 cloudAmbient(float height, float q) {
 // the field at most, in the middle of the way, since it changes over tens of kilometres.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
                        float openSea, float finest, float pixel, int steps) {
-  const float kFieldScale = 150.0, kFarther = 0.02;
+  const float kFieldScale = 150.0, kFarther = 0.01;
   const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0;
   vec2 span = cloudSpan(altitude, d.y, base, top);
   float most = 0.125 * (top - base) / max(abs(d.y), 0.02);

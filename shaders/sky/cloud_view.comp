@@ -13,8 +13,8 @@ layout(binding = 3, std140) uniform Light { SkyLight light; };
 layout(binding = 4) uniform writeonly image2D clouds;
 #include "shared/cloud_march.glsl"
 
-const int kSteps = 128;
-const float kFinest = 45.0;  // [m]
+const int kSteps = 192;
+const float kFinest = 22.0;  // [m]
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
