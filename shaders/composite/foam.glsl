@@ -47,9 +47,9 @@ struct Foam {
 const float kFoamAlbedo = 0.8;  // of foam that hides the water
 const float kFoamHeight = 0.3;  // of a unit of the pattern [m]
 const float kFoamOpacity = 35.0;  // half the transport optical depth of a unit of the pattern
-const float kFoamShade = 3.0;  // by how much a unit of the pattern brightens foam: less light reaches its hollows
+const float kFoamShade = 3.0;  // logarithm of how much a unit of the pattern brightens foam: less light reaches its hollows
 
-const int kFoamTaps = 3;
+const int kFoamTaps = 3;  // two in a row and one beside them tell a slope
 // An edge is no line: bubbles thin out over this deviation of the pattern. What stands above a level has that and the pattern's.
 const float kFoamEdge = 0.08;
 const float kFoamLevels = 0.18653;  // root of kWhole^2 + kFoamEdge^2
@@ -102,6 +102,14 @@ Foam foamAt(float freshness, float lane, vec2 p, float across, vec2 along) {
   foam.slope = kFoamHeight * vec2((heights[2] - heights[0]) * float(kFoamTaps) / (float(kFoamTaps - 1) * max(length(along), 0.01)),
                                  (heights[1] - 0.5 * (heights[0] + heights[2])) / max(footprint, 0.005));
   return foam;
+}
+
+// Share of a light from l that foam on the sea takes, of the normal n, where its relief has the normal `top` per unit of n. As
+// much is taken from a side as is given to the other, none of it below 0 or above 1: in the mean, the light on the sea.
+float litFoam(vec3 n, vec3 top, vec3 l) {
+  float level = clamp(dot(n, l), 0.0, 1.0);
+  float room = min(level, 1.0 - level);
+  return level + clamp(dot(top - n, l), -room, room);
 }
 
 #endif

@@ -10,7 +10,7 @@ layout(constant_id = 9) const bool kHostLights = false;
 struct HostLit {
   vec3 mirrored;  // radiance that the sea mirrors
   vec3 entering;  // irradiance that enters the water
-  vec3 foam;      // irradiance on the sea's mean slope
+  vec3 foam;      // irradiance on the foam's relief
 };
 
 const HostLit kNoHostLight = HostLit(vec3(0), vec3(0), vec3(0));
@@ -24,9 +24,9 @@ float shareOverHorizon(float up, float distance, float extent, float height) {
   return clamp(0.5 + 0.5 * (up + dip) / max(extent, 1e-7), 0.0, 1.0);
 }
 
-// `place`: from the eye [m], of a point that is `p` away in the plane. Foam has the normal `top`. Loops test at their end: there
+// `place`: from the eye [m], of a point that is `p` away in the plane. Foam on the sea's normal n has a relief as for litFoam(). Loops test at their end: there
 // is one light at least.
-HostLit hostLit(SeaPoint sea, vec3 top, vec3 v, vec3 place, vec2 p) {
+HostLit hostLit(SeaPoint sea, vec3 n, vec3 top, vec3 v, vec3 place, vec2 p) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
   HostLit lit = kNoHostLight;
   float height = heightOverSea(place);
@@ -55,7 +55,7 @@ HostLit hostLit(SeaPoint sea, vec3 top, vec3 v, vec3 place, vec2 p) {
     from.l = area / max(size, 1e-9);  // the middle of what is seen of it; none: it shines away
     lit.mirrored += mirroredLight(sea, seen, v, from, true);
     lit.entering += enteringIrradiance(from.irradiance, from.l.y, vec3(0));
-    lit.foam += from.irradiance * clamp(dot(top, from.l), 0.0, 1.0);
+    lit.foam += from.irradiance * litFoam(n, top, from.l);
   } while (++i < notWrittenIn(frame.hostLights));
   return lit;
 }

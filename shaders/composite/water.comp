@@ -88,10 +88,10 @@ void main() {
     normal.w = foam.cover;
   }
   HostLit lit = kNoHostLight;
-  if (kHostLights) lit = hostLit(sea, top, v, ray * axial, p);
+  if (kHostLights) lit = hostLit(sea, normal.xyz, top, v, ray * axial, p);
   vec3 radiance = seaRadiance(sea, v, l, sun, lit.entering, horizonRadiance(place)) + lit.mirrored;
   if (kFoaming) {
-    vec3 foamLight = sun * clamp(dot(top, l), 0.0, 1.0) + light.skyIrradiance.rgb * (0.5 + 0.5 * normal.y) + lit.foam;
+    vec3 foamLight = sun * litFoam(normal.xyz, top, l) + light.skyIrradiance.rgb * (0.5 + 0.5 * normal.y) + lit.foam;
     radiance = mix(radiance, foamLight * (foam.shade * kFoamAlbedo / kPi), foam.cover * foam.opacity);
   }
   radiance = throughAir(radiance, place, axial * rayLength, 0.0);

@@ -19,12 +19,12 @@ vec3 cloudAmbient(float height, float q) {
 }
 
 // `d`: unit, `place`: of the eye [tiles], `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
-// most. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
+// most, each at least `farther` of the distance where the layer bounds it no more. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
 // passes more than an eighth of it, and none that meets clouds more than a thirty-second. `openSea`: what the weather takes off
 // the field at most, in the middle of the way, since it changes over tens of kilometres.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
-                       float openSea, float finest, float pixel, int steps) {
-  const float kFieldScale = 150.0, kFarther = 0.01;
+                       float openSea, float finest, float farther, float pixel, int steps) {
+  const float kFieldScale = 150.0;
   const float kLargestBubble = 0.25 * kCloudDetailTile, kSmallestBubble = 45.0;
   vec2 span = cloudSpan(altitude, d.y, base, top);
   float most = 0.125 * (top - base) / max(abs(d.y), 0.02);
@@ -52,7 +52,7 @@ CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitud
       // A pixel's width, where the field changes by 1 in twice its least way; it has a deviation of 1.
       blur = min(0.5 * pixel * t / kFieldScale, 0.5);
       // Far off, steps grow with the distance.
-      least = min(max(finest, min(kFarther * t, 0.25 * most)), coarsest);
+      least = min(max(finest, min(farther * t, 0.25 * most)), coarsest);
       field = tornField(cloud.r, kLeastHole);
       next = min(clamp(-kFieldScale * field, least, max(least, most)), span.y - t);
     } while (++i < steps && max(before, field) < -blur && t < span.y);

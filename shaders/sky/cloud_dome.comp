@@ -20,6 +20,6 @@ void main() {
   vec3 d = vec3(2.0 * q.x, 1.0 - dot(q, q), 2.0 * q.y) / (1.0 + dot(q, q));
   vec3 air = textureLod(radiance, skyUv(d), 0).rgb;
   CloudsSeen seen = cloudsAlong(volume, detail, d, 0.0, view.place, view.rayX.w, view.rayY.w, view.openSea,
-                               100.0, 0.02, 32);
+                               100.0, 0.02, 0.02, 32);
   imageStore(dome, texel, vec4(cloudsThroughAir(seen, 0.0, view.rayX.w, view.rayY.w, air), seen.transmittance));
 }

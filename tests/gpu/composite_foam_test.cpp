@@ -42,40 +42,76 @@ TEST_F(CompositeFoamTest, FreshFoamIsAWhiteLambertSurfaceWithARelief) {
   }
 }
 
+/// Fresh foam from near, in the light of a sun from `toward`. Its pixels lie 0.04 m apart,
+/// `slant` times as far away from the eye.
+class LitFoam {
+ public:
+  static constexpr std::uint32_t kSide = 96;
+
+  LitFoam(const common::GpuDevice& gpu, Device& device, float slant) : device_(&device), scene_(gpu, {kSide, kSide}) {
+    scene_.fillWater(20);
+    scene_.spread(0.04f);
+    for (glm::vec2& p : scene_.position) p.y *= slant;
+    scene_.foam = 1;
+    scene_.light.skyIrradiance = glm::vec4(0);
+    scene_.light.sunRadiance = glm::vec4(1);
+  }
+  const std::vector<float>& from(glm::vec3 toward, float irradiance = 1) {
+    scene_.light.sunIrradiance = glm::vec4(irradiance);
+    scene_.light.sunDirection = glm::vec4(glm::normalize(toward), scene_.light.sunDirection.w);
+    scene_.render(*device_);
+    return scene_.radiance;
+  }
+  double meanFrom(glm::vec3 toward, float irradiance = 1) {
+    double sum = 0;
+    const std::vector<float>& lit = from(toward, irradiance);
+    for (std::size_t i = 0; i < lit.size(); i += 4) sum += static_cast<double>(lit[i]);
+    return sum / (kSide * kSide);
+  }
+
+ private:
+  Device* device_;
+  SyntheticScene scene_;
+};
+
 // Lit from opposite sides, foam differs by the slope of its relief, whose heads are the brighter ones under a light
 // straight above: the sides that face the light are bright, to the left and right as well as near and far.
 TEST_F(CompositeFoamTest, ReliefFacesTheLight) {
-  constexpr std::uint32_t kSide = 96;
-  SyntheticScene scene(gpu(), {kSide, kSide});
-  scene.fillWater(20);
-  scene.spread(0.04f);
-  scene.foam = 1;
-  scene.light.skyIrradiance = glm::vec4(0);
-  scene.light.sunIrradiance = glm::vec4(1);
-  scene.light.sunRadiance = glm::vec4(1);
-  const auto litFrom = [&](glm::vec3 toward) {
-    scene.light.sunDirection = glm::vec4(glm::normalize(toward), scene.light.sunDirection.w);
-    scene.render(device());
-    return scene.radiance;
-  };
-  const std::vector<float> above = litFrom({0, 1, 0});
-  for (const glm::ivec2 e : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
-    const glm::vec3 toward(e.x, 1, e.y);
-    const std::vector<float> lit = litFrom(toward), unlit = litFrom(toward * glm::vec3(-1, 1, -1));
-    double product = 0, squares = 0, falls = 0;
-    for (std::uint32_t y = 1; y + 1 < kSide; ++y) {
-      for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
-        const std::size_t at = y * kSide + x;
-        const std::size_t next = at + (e.x != 0 ? 1 : kSide), last = at - (e.x != 0 ? 1 : kSide);
-        const bool ahead = glm::dot(scene.position[next] - scene.position[last], glm::vec2(e)) > 0;
-        const double fall = static_cast<double>(above[4 * last] - above[4 * next]) * (ahead ? 1 : -1);
-        const double gained = static_cast<double>(lit[4 * at] - unlit[4 * at]);
-        product += fall * gained;
-        squares += gained * gained;
-        falls += fall * fall;
+  constexpr std::size_t kSide = LitFoam::kSide;
+  for (const float slant : {1.0f, 4.0f}) {
+    LitFoam foam(gpu(), device(), slant);
+    const std::vector<float> above = foam.from({0, 1, 0});
+    for (const bool aside : {true, false}) {
+      const glm::vec3 toward = aside ? glm::vec3(1, 1, 0) : glm::vec3(0, 1, 1);  // pixels' x and y run along +x and +z
+      const std::vector<float> lit = foam.from(toward), unlit = foam.from(toward * glm::vec3(-1, 1, -1));
+      double product = 0, squares = 0, falls = 0, sum = 0;
+      for (std::size_t y = 1; y + 1 < kSide; ++y) {
+        for (std::size_t x = 1; x + 1 < kSide; ++x) {
+          const std::size_t at = y * kSide + x, step = aside ? 1 : kSide;
+          const auto fall = static_cast<double>(above[4 * (at - step)] - above[4 * (at + step)]);
+          const auto gained = static_cast<double>(lit[4 * at] - unlit[4 * at]);
+          product += fall * gained;
+          squares += gained * gained;
+          falls += fall * fall;
+          sum += static_cast<double>(lit[4 * at] + unlit[4 * at]);
+        }
       }
+      const double pixels = (kSide - 2) * (kSide - 2), contrast = std::sqrt(squares / pixels) / (0.5 * sum / pixels);
+      EXPECT_GT(product / std::sqrt(squares * falls), 0.4) << slant << ' ' << aside;
+      EXPECT_GT(contrast, 0.15) << slant << ' ' << aside;
+      EXPECT_LT(contrast, 0.7) << slant << ' ' << aside;
     }
-    EXPECT_GT(product / std::sqrt(squares * falls), 0.5) << e.x << ", " << e.y;
+  }
+}
+
+// What a slope of the relief takes from one side it gives to the other, however low the sun.
+TEST_F(CompositeFoamTest, ReliefKeepsTheLight) {
+  LitFoam foam(gpu(), device(), 1);
+  const double unlit = foam.meanFrom({0, 1, 0}, 0), above = foam.meanFrom({0, 1, 0}) - unlit;
+  for (const float degrees : {3.0f, 20.0f, 60.0f}) {
+    const float elevation = glm::radians(degrees);
+    const double lit = foam.meanFrom({std::cos(elevation), std::sin(elevation), 0}) - unlit;
+    EXPECT_NEAR(lit / (above * static_cast<double>(std::sin(elevation))), 1, 0.03) << degrees;
   }
 }
 

@@ -10,8 +10,7 @@ namespace {
 using support::Drawn;
 using support::OceanScene;
 
-// What a pan does to far water over what it does to near, up to a fifth above what is measured; foam far off is what
-// changes.
+// What a pan does to far water over what it does to near, and a little for other devices: foam far off is what changes.
 constexpr struct {
   const char* name;
   double farOverNear;
