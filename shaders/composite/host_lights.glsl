@@ -24,8 +24,8 @@ float shareOverHorizon(float up, float distance, float extent, float height) {
   return clamp(0.5 + 0.5 * (up + dip) / max(extent, 1e-7), 0.0, 1.0);
 }
 
-// `place`: from the eye [m], of a point that is `p` away in the plane. Foam on the sea's normal n has a relief as for litFoam(). Loops test at their end: there
-// is one light at least.
+// `place`: from the eye [m], of a point that is `p` away in the plane, of the normal n; `top` is its foam's as for litFoam().
+// Loops test at their end: there is one light at least.
 HostLit hostLit(SeaPoint sea, vec3 n, vec3 top, vec3 v, vec3 place, vec2 p) {
   Visibility seen = visibility(v, sea.slope, sea.residual);
   HostLit lit = kNoHostLight;

@@ -18,10 +18,11 @@ vec3 cloudAmbient(float height, float q) {
   return (sky * cloudDiffuse(q, light.sunDirection.y) + sea * mix(1.0, 0.35, height)) * (0.5 / kAirPi);
 }
 
-// `d`: unit, `place`: of the eye [tiles], `finest`: step where there are clouds [m], `pixel`: angular size [rad], `steps`: at
-// most, each at least `farther` of the distance where the layer bounds it no more. The field tells how far off the next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step
-// passes more than an eighth of it, and none that meets clouds more than a thirty-second. `openSea`: what the weather takes off
-// the field at most, in the middle of the way, since it changes over tens of kilometres.
+// `d`: unit, `place`: of the eye [tiles], `finest`: step where there are clouds [m], `farther`: of the distance, which steps are
+// at least where the layer bounds them no more, `pixel`: angular size [rad], `steps`: at most. The field tells how far off the
+// next cloud is at least: it changes by 1 in 150 m along the layer; across it, no step passes more than an eighth of it, and
+// none that meets clouds more than a thirty-second. `openSea`: what the weather takes off the field at most, in the middle of
+// the way, since it changes over tens of kilometres.
 CloudsSeen cloudsAlong(sampler3D volume, sampler3D detail, vec3 d, float altitude, vec2 place, float base, float top,
                        float openSea, float finest, float farther, float pixel, int steps) {
   const float kFieldScale = 150.0;
