@@ -17,8 +17,8 @@ constexpr struct {
 } kPan[] = {{"trade-wind", 0.27},     {"fresh-overcast", 0.26}, {"gale", 0.45},
             {"storm", 0.45},          {"overcast-swell", 0.08}, {"calm-dawn", 0.05},
             {"sunset-glitter", 0.05}, {"noon-calm", 0.05},      {"moonlit", 0.04}};
-// A zoom changes the far water of gale, storm and swell as much as the near or more, likely since far crests stand
-// before each other within a pixel, which shows one.
+// A zoom changes the far water of gale, storm and swell 0.4 to 0.9 times as much as the near, likely since far crests
+// stand before each other within a pixel, which shows one.
 constexpr const char* kZoomed[] = {"trade-wind", "sunset-glitter", "fresh-overcast",
                                    "calm-dawn",  "noon-calm",      "moonlit"};
 constexpr VkExtent2D kExtent{320, 180};
